@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sbox/core/pose.h"
+
+namespace sbox {
+
+enum class Verdict {
+  Accepted,   ///< The transform is right with high probability.
+  Ambiguous,  ///< Two distinct transforms explain the maps about as well.
+  Rejected    ///< No transform is explained well enough by the cells.
+};
+
+/// "accepted", "ambiguous" or "rejected".
+[[nodiscard]] const char* toString(Verdict verdict);
+
+/// A transform that was considered, and the probability that it is right.
+struct Candidate {
+  Pose2D pose_b_in_a;
+  double confidence = 0;  ///< In [0, 1].
+};
+
+/// Wall time of each stage, in seconds.
+struct PairSeconds {
+  double matching = 0;
+  double verification = 0;
+  double refinement = 0;
+};
+
+/// What is known about two maps a and b after matching. The best candidate is carried even when it
+/// was refused.
+struct PairResult {
+  Verdict verdict = Verdict::Rejected;
+  std::string reason;     ///< One sentence: why this verdict.
+  bool has_pose = false;  ///< False when no transform could be proposed at all.
+  Pose2D pose_b_in_a;     ///< Frame of map b in the frame of map a.
+  PoseCovariance covariance = PoseCovariance::Identity() * 1e6;  ///< Of pose_b_in_a; never zero.
+  double confidence = 0;         ///< Probability that pose_b_in_a is right, in [0, 1].
+  double overlap_m2 = 0;         ///< Area known to both maps under pose_b_in_a.
+  std::optional<Pose2D> kalman;  ///< pose_b_in_a by the Kalman step (section 3.3), if it could run.
+  std::optional<Pose2D> ceres;   ///< pose_b_in_a by the Ceres cross-check, if it could run.
+  std::vector<std::pair<int, int>> matched_boxes;  ///< Indices into the boxes of a and of b.
+  std::vector<Candidate> alternatives;  ///< Other distinct transforms, most likely first.
+  PairSeconds seconds;
+};
+
+}  // namespace sbox

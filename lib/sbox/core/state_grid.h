@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The three states that features and verification read: free, occupied, unknown.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sbox/core/map.h"
+
+namespace sbox {
+
+enum class CellState : std::uint8_t { Unknown = 0, Free = 1, Occupied = 2 };
+
+/// A grid of cell states, cropped to what is known.
+struct StateGrid {
+  int width = 0;                 ///< Cells in a row.
+  int height = 0;                ///< Cells in a column.
+  double resolution = 0;         ///< Edge length of a cell, in metres.
+  Pose2D corner_in_map;          ///< Lower-left corner of cell (0, 0) in the map frame.
+  std::vector<CellState> cells;  ///< Row by row, lowest row first.
+
+  /// State of cell (x, y); unknown outside the grid.
+  [[nodiscard]] CellState at(int x, int y) const {
+    return x < 0 || y < 0 || x >= width || y >= height
+               ? CellState::Unknown
+               : cells[static_cast<size_t>(y) * static_cast<size_t>(width) +
+                       static_cast<size_t>(x)];
+  }
+  /// Whether no cell is known.
+  [[nodiscard]] bool empty() const { return cells.empty(); }
+};
+
+struct StateOptions {
+  double free_above = 0.6;      ///< Probability of being free from which a cell counts as free.
+  double occupied_below = 0.4;  ///< Probability of being free below which it counts as occupied.
+};
+
+/// The states of a map's cells, cropped to the bounding box of the known ones; empty if there are
+/// none.
+[[nodiscard]] StateGrid classifyCells(const Map& map, const StateOptions& options = {});
+
+/// The same area in cells of `resolution` metres on the same corner. Coarser cells: occupied if any
+/// cell they touch is, free if all are; finer cells: the state of the cell that holds their centre.
+[[nodiscard]] StateGrid resample(const StateGrid& grid, double resolution);
+
+}  // namespace sbox
