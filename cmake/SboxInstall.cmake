@@ -1,0 +1,18 @@
+# SPDX-FileCopyrightText: 2026 the sbox-merge authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# The library, its headers and the package that find_package(sbox) reads: component "dev".
+include(CMakePackageConfigHelpers)
+
+set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/sbox")
+configure_package_config_file(cmake/sbox-config.cmake.in sbox-config.cmake
+                              INSTALL_DESTINATION "${package_dir}")
+write_basic_package_version_file(sbox-config-version.cmake COMPATIBILITY SameMinorVersion)
+
+install(TARGETS sbox EXPORT sbox-targets COMPONENT dev)
+install(DIRECTORY lib/sbox DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT dev
+        FILES_MATCHING PATTERN "*.h")
+install(EXPORT sbox-targets NAMESPACE sbox:: DESTINATION "${package_dir}" COMPONENT dev)
+install(FILES "${CMAKE_CURRENT_BINARY_DIR}/sbox-config.cmake"
+              "${CMAKE_CURRENT_BINARY_DIR}/sbox-config-version.cmake"
+        DESTINATION "${package_dir}" COMPONENT dev)
