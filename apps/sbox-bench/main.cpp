@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// sbox-bench: how right, how honest and how fast each method is on maps with known truth.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "sbox-bench/method_list.h"
+#include "sbox-bench/run_method.h"
+#include "sbox-bench/score_table.h"
+#include "sbox-bench/write_answers.h"
+
+namespace {
+
+using namespace sbox::bench;
+
+struct Arguments {
+  std::vector<std::string> folders;
+  std::vector<std::string> methods;
+  RunOptions run;
+  bool markdown = false;
+  bool no_seconds = false;
+  std::string answers_file;
+  std::string json_file;
+};
+
+void addOptions(CLI::App& app, Arguments& arguments) {
+  app.add_option("FOLDER", arguments.folders, "Folders that hold a pairs.json")->required();
+  app.add_option("--method", arguments.methods, "Methods to run, side by side")
+      ->check(CLI::IsMember(methodNames()))
+      ->required();
+  app.add_option("--only", arguments.run.only,
+                 "Only pairs whose \"folder group a b\" holds this text");
+  app.add_option("--every", arguments.run.every, "Only each N-th of them")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--threads", arguments.run.threads,
+                 "Maps and pairs in parallel, 0: one a core (default 1)")
+      ->check(CLI::NonNegativeNumber);
+  app.add_option("--repeat", arguments.run.repeat, "Runs of each stage, for its time")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--answers", arguments.answers_file,
+                 "Write the answers of the last method, one JSON object a line");
+  app.add_option("--json", arguments.json_file, "Write every answer with its judgement");
+  app.add_flag("--no-seconds", arguments.no_seconds,
+               "Leave times out of these files, so that two runs compare byte by byte");
+  app.add_flag("--markdown", arguments.markdown, "Print tables as Markdown");
+}
+
+void print(const Table& table, bool markdown) {
+  std::printf("%s\n", toText(table, markdown).c_str());
+  std::fflush(stdout);
+}
+
+void run(const Arguments& arguments) {
+  std::vector<LoadedFolder> folders;
+  for (const std::string& folder : arguments.folders) {
+    folders.push_back(loadFolder(readPairFolder(folder), arguments.run));
+  }
+  std::vector<MethodRun> runs;
+  for (const std::string& name : arguments.methods) {
+    const Method method = methodByName(name);
+    MethodRun method_run{name, {}};
+    for (const LoadedFolder& folder : folders) {
+      method_run.folders.push_back({&folder, runMethod(method, folder, arguments.run)});
+    }
+    print(scoreTable(method_run), arguments.markdown);
+    print(timeTable(method_run), arguments.markdown);
+    runs.push_back(std::move(method_run));
+  }
+  if (runs.size() > 1) {
+    print(comparisonTable(runs), arguments.markdown);
+  }
+  if (!arguments.answers_file.empty()) {
+    writeText(arguments.answers_file, answerLines(runs.back(), !arguments.no_seconds));
+  }
+  if (!arguments.json_file.empty()) {
+    writeText(arguments.json_file, answersJson(runs, !arguments.no_seconds));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Runs map-joining methods over folders of map pairs with known truth"};
+  Arguments arguments;
+  addOptions(app, arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  // Times are of one core, and sums do not depend on how work was split.
+  cv::setNumThreads(1);
+  try {
+    run(arguments);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "sbox-bench: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox-bench/method_list.h"
+
+#include <stdexcept>
+
+#include "sbox-bench/methods/correlation.h"
+
+namespace sbox::bench {
+namespace {
+
+struct Entry {
+  const char* name;
+  Method (*make)();
+};
+
+constexpr Entry kMethods[] = {
+    {"correlation", [] { return correlationMethod(); }},
+};
+
+}  // namespace
+
+std::vector<std::string> methodNames() {
+  std::vector<std::string> names;
+  for (const Entry& entry : kMethods) {
+    names.emplace_back(entry.name);
+  }
+  return names;
+}
+
+Method methodByName(const std::string& name) {
+  for (const Entry& entry : kMethods) {
+    if (name == entry.name) {
+      return entry.make();
+    }
+  }
+  throw std::invalid_argument("no method is called " + name);
+}
+
+}  // namespace sbox::bench
