@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox/io/load_map.h"
+
+#include <new>
+
+#include "sbox/io/file_bytes.h"
+#include "sbox/io/file_error.h"
+#include "sbox/io/gridmap_file.h"
+#include "sbox/io/path_extension.h"
+#include "sbox/io/ros_map_file.h"
+
+namespace sbox {
+
+Map loadMap(const std::string& path, const LoadOptions& options) {
+  const std::string extension = pathExtension(path);
+  try {
+    if (extension == ".gridmap" || extension == ".gridmap.gz") {
+      return loadGridmap(path);
+    }
+    if (extension == ".yaml" || extension == ".yml") {
+      return loadRosMap(path);
+    }
+    if (isImagePath(path)) {
+      if (!options.resolution) {
+        throw FileError(path, "an image alone needs the size of its cells (--resolution METRES)");
+      }
+      return loadImageMap(path, *options.resolution);
+    }
+  } catch (const std::bad_alloc&) {
+    throw FileError(path, "the map does not fit into memory");
+  }
+  checkReadable(path);
+  throw FileError(path,
+                  "is no map by its name: .gridmap, .gridmap.gz, .yaml or an image (.png, .pgm, "
+                  ".bmp, .jpg, .tif) can be read");
+}
+
+}  // namespace sbox

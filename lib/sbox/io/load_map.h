@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sbox/core/map.h"
+
+namespace sbox {
+
+struct LoadOptions {
+  /// Edge length of a cell in metres for a plain image, which cannot say it itself; other files
+  /// ignore it.
+  std::optional<double> resolution;
+};
+
+/// Reads a map by the extension of its file: .gridmap and .gridmap.gz (MRPT), .yaml and .yml (ROS,
+/// with the image it names), or an image alone. The name of the map is the path as given. Throws
+/// FileError if the file cannot be used; the memory taken is bounded by what the file really holds.
+[[nodiscard]] Map loadMap(const std::string& path, const LoadOptions& options = {});
+
+}  // namespace sbox

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Numbers as text, the same in every locale and exact both ways.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace sbox {
+
+/// The shortest text that reads back as the same number.
+[[nodiscard]] std::string numberText(double value);
+/// As above for a float: 0.05F gives "0.05".
+[[nodiscard]] std::string numberText(float value);
+
+/// The number that the whole text spells, or nothing. Accepts a leading "+"; NaN and infinity are
+/// no numbers here.
+[[nodiscard]] std::optional<double> parseNumber(std::string_view text);
+
+}  // namespace sbox

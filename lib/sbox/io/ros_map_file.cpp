@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox/io/ros_map_file.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include "sbox/core/state_grid.h"
+#include "sbox/io/file_error.h"
+#include "sbox/io/map_limits.h"
+#include "sbox/io/ros_yaml.h"
+
+namespace sbox {
+namespace {
+
+using Cell = mrpt::maps::COccupancyGridMap2D::cellType;
+
+/// Image rows run from the top, the grid's from the bottom.
+void fillCells(const Image& image, const RosShading& shading, Map& map) {
+  const int colours = std::min(image.channels, 3);
+  const std::vector<Cell> cells = rosCellTable(shading, colours);
+  const bool see_through_is_unknown = image.channels == 4 && shading.mode != RosMode::Raw;
+  for (int y = 0; y < image.height; ++y) {
+    const std::uint8_t* pixel = image.row(image.height - 1 - y);
+    Cell* row = map.grid.getRow(y);
+    for (int x = 0; x < image.width; ++x, pixel += image.channels) {
+      const unsigned sum = colours == 1 ? pixel[0] : 0U + pixel[0] + pixel[1] + pixel[2];
+      row[x] = see_through_is_unknown && pixel[3] != 255 ? Cell{0} : cells[sum];
+    }
+  }
+}
+
+/// ROS's grey for each of the 256 values of a cell, by its bits.
+std::array<std::uint8_t, 256> greyTable() {
+  const StateOptions states;
+  std::array<std::uint8_t, 256> table{};
+  for (int value = -128; value <= 127; ++value) {
+    const double p_free = mrpt::maps::COccupancyGridMap2D::l2p(static_cast<Cell>(value));
+    table[static_cast<std::uint8_t>(value)] = p_free >= states.free_above      ? 254
+                                              : p_free < states.occupied_below ? 0
+                                                                               : 205;
+  }
+  return table;
+}
+
+}  // namespace
+
+Map loadRosMap(const std::string& path) {
+  const RosYaml yaml = loadRosYaml(path);
+  const std::string image_path = (std::filesystem::path(path).parent_path() / yaml.image).string();
+  Image image;
+  try {
+    image = loadImage(image_path);
+  } catch (const FileError& error) {
+    throw FileError(image_path, error.reason() + " (it is the image of " + path + ")");
+  }
+  Map map = makeMap(path, image.width, image.height, yaml.resolution, yaml.origin);
+  fillCells(image, yaml.shading, map);
+  return map;
+}
+
+Map loadImageMap(const std::string& path, double resolution) {
+  checkResolution(path, resolution);
+  const Image image = loadImage(path);
+  Map map = makeMap(path, image.width, image.height, resolution);
+  fillCells(image, RosShading(), map);
+  return map;
+}
+
+Image rosPicture(const Map& map) {
+  const std::array<std::uint8_t, 256> greys = greyTable();
+  Image image{map.width(), map.height(), 1, {}};
+  image.pixels.reserve(map.grid.getRawMap().size());
+  for (int y = map.height() - 1; y >= 0; --y) {
+    const Cell* row = map.grid.getRow(y);
+    std::transform(row, row + map.width(), std::back_inserter(image.pixels),
+                   [&](Cell cell) { return greys[static_cast<std::uint8_t>(cell)]; });
+  }
+  return image;
+}
+
+std::string rosMapText(const Map& map, const std::string& image) {
+  return rosYamlText({image, map.resolution(), map.corner_in_map, RosShading()});
+}
+
+}  // namespace sbox
