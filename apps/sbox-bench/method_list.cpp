@@ -5,6 +5,8 @@
 #include <stdexcept>
 
 #include "sbox-bench/methods/correlation.h"
+#include "sbox-bench/methods/hough_matching.h"
+#include "sbox-bench/methods/keypoints.h"
 
 namespace sbox::bench {
 namespace {
@@ -14,7 +16,16 @@ struct Entry {
   Method (*make)();
 };
 
+Method makeKeypoints(KeypointKind kind) {
+  KeypointOptions options;
+  options.kind = kind;
+  return keypointMethod(options);
+}
+
 constexpr Entry kMethods[] = {
+    {"orb", [] { return makeKeypoints(KeypointKind::Orb); }},
+    {"sift", [] { return makeKeypoints(KeypointKind::Sift); }},
+    {"hough", [] { return houghMethod(); }},
     {"correlation", [] { return correlationMethod(); }},
 };
 

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox-bench/methods/keypoints.h"
+
+#include <algorithm>
+#include <chrono>
+#include <opencv2/features2d.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "sbox/core/state_grid.h"
+
+namespace sbox::bench {
+namespace {
+
+struct KeypointFeatures {
+  std::vector<Point2D> points;  ///< In the map frame, metres.
+  cv::Mat descriptors;
+};
+
+cv::Mat picture(const StateGrid& grid) {
+  cv::Mat image(grid.height, grid.width, CV_8U);
+  for (int y = 0; y < grid.height; ++y) {
+    for (int x = 0; x < grid.width; ++x) {
+      const CellState state = grid.at(x, y);
+      image.at<unsigned char>(y, x) = state == CellState::Free       ? 255
+                                      : state == CellState::Occupied ? 0
+                                                                     : 127;
+    }
+  }
+  return image;
+}
+
+KeypointFeatures extract(const Map& map, const KeypointOptions& options) {
+  KeypointFeatures features;
+  const StateGrid grid = resample(classifyCells(map), options.resolution);
+  if (grid.empty()) {
+    return features;
+  }
+  std::vector<cv::KeyPoint> keypoints;
+  const cv::Ptr<cv::Feature2D> detector =
+      options.kind == KeypointKind::Orb
+          ? cv::Ptr<cv::Feature2D>(cv::ORB::create(options.keypoints))
+          : cv::Ptr<cv::Feature2D>(cv::SIFT::create(options.keypoints));
+  detector->detectAndCompute(picture(grid), cv::noArray(), keypoints, features.descriptors);
+  for (const cv::KeyPoint& keypoint : keypoints) {
+    features.points.push_back(grid.corner_in_map.composePoint(
+        {(static_cast<double>(keypoint.pt.x) + 0.5) * grid.resolution,
+         (static_cast<double>(keypoint.pt.y) + 0.5) * grid.resolution}));
+  }
+  return features;
+}
+
+PairResult match(const KeypointFeatures& a, const KeypointFeatures& b,
+                 const KeypointOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  PairResult result;
+  if (a.points.empty() || b.points.empty()) {
+    result.reason = "a map has no keypoint";
+    return result;
+  }
+  const cv::BFMatcher matcher(options.kind == KeypointKind::Orb ? cv::NORM_HAMMING : cv::NORM_L2);
+  std::vector<std::vector<cv::DMatch>> nearest;
+  matcher.knnMatch(a.descriptors, b.descriptors, nearest, options.neighbours);
+  std::vector<PointMatch> matches;
+  for (const std::vector<cv::DMatch>& of_one : nearest) {
+    for (const cv::DMatch& m : of_one) {
+      matches.push_back(
+          {a.points[static_cast<size_t>(m.queryIdx)], b.points[static_cast<size_t>(m.trainIdx)]});
+    }
+  }
+  const RansacResult ransac = rigidRansac(matches, options.ransac);
+  const auto inliers = static_cast<double>(ransac.inliers.size());
+  const double confidence = inliers / (8 + 0.3 * static_cast<double>(matches.size()));
+  result.has_pose = ransac.inliers.size() >= 2;
+  result.pose_b_in_a = ransac.pose_b_in_a;
+  result.confidence = std::min(1.0, confidence);
+  const bool accepted = result.has_pose && confidence >= options.accept_confidence;
+  result.verdict = accepted ? Verdict::Accepted : Verdict::Rejected;
+  result.reason = std::to_string(ransac.inliers.size()) + " of " + std::to_string(matches.size()) +
+                  " keypoint matches agree";
+  result.seconds.matching =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+}  // namespace
+
+Method keypointMethod(const KeypointOptions& options) {
+  return makeMethod(
+      options.kind == KeypointKind::Orb ? "orb" : "sift",
+      [options](const Map& map) { return extract(map, options); },
+      [options](const KeypointFeatures& a, const KeypointFeatures& b) {
+        return match(a, b, options);
+      });
+}
+
+}  // namespace sbox::bench

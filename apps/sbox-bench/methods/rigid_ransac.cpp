@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox-bench/methods/rigid_ransac.h"
+
+#include <cmath>
+#include <random>
+
+namespace sbox::bench {
+namespace {
+
+constexpr int kRefits = 5;
+
+std::vector<int> agreeing(const std::vector<PointMatch>& matches, const Pose2D& pose_b_in_a,
+                          double tolerance) {
+  const double c = std::cos(pose_b_in_a.phi), s = std::sin(pose_b_in_a.phi);
+  std::vector<int> indices;
+  for (size_t i = 0; i < matches.size(); ++i) {
+    const PointMatch& m = matches[i];
+    const double dx = pose_b_in_a.x + c * m.in_b.x - s * m.in_b.y - m.in_a.x;
+    const double dy = pose_b_in_a.y + s * m.in_b.x + c * m.in_b.y - m.in_a.y;
+    if (dx * dx + dy * dy <= tolerance * tolerance) {
+      indices.push_back(static_cast<int>(i));
+    }
+  }
+  return indices;
+}
+
+}  // namespace
+
+Pose2D fitRigid(const std::vector<PointMatch>& matches, const std::vector<int>& indices) {
+  const auto n = static_cast<double>(indices.size());
+  Point2D mean_a, mean_b;
+  for (const int i : indices) {
+    const PointMatch& m = matches[static_cast<size_t>(i)];
+    mean_a += m.in_a * (1 / n);
+    mean_b += m.in_b * (1 / n);
+  }
+  double along = 0, across = 0;
+  for (const int i : indices) {
+    const PointMatch& m = matches[static_cast<size_t>(i)];
+    const Point2D a = m.in_a - mean_a, b = m.in_b - mean_b;
+    along += b.x * a.x + b.y * a.y;
+    across += b.x * a.y - b.y * a.x;
+  }
+  Pose2D pose(0, 0, std::atan2(across, along));
+  const Point2D turned = pose.composePoint(mean_b);
+  pose.x = mean_a.x - turned.x;
+  pose.y = mean_a.y - turned.y;
+  return pose;
+}
+
+RansacResult rigidRansac(const std::vector<PointMatch>& matches, const RansacOptions& options) {
+  RansacResult best;
+  if (matches.size() < 2) {
+    return best;
+  }
+  std::mt19937 random(options.seed);
+  const auto draw = [&] { return static_cast<int>(random() % matches.size()); };
+  for (int i = 0; i < options.draws; ++i) {
+    const int first = draw(), second = draw();
+    const PointMatch& p = matches[static_cast<size_t>(first)];
+    const PointMatch& q = matches[static_cast<size_t>(second)];
+    const double length_a = std::hypot(p.in_a.x - q.in_a.x, p.in_a.y - q.in_a.y);
+    const double length_b = std::hypot(p.in_b.x - q.in_b.x, p.in_b.y - q.in_b.y);
+    if (length_a < options.least_length || length_b < options.least_length ||
+        std::abs(length_a - length_b) > 2 * options.tolerance) {
+      continue;
+    }
+    const Pose2D pose = fitRigid(matches, {first, second});
+    std::vector<int> inliers = agreeing(matches, pose, options.tolerance);
+    if (inliers.size() > best.inliers.size()) {
+      best = {pose, std::move(inliers)};
+    }
+  }
+  for (int i = 0; i < kRefits && best.inliers.size() >= 2; ++i) {
+    const Pose2D pose = fitRigid(matches, best.inliers);
+    std::vector<int> inliers = agreeing(matches, pose, options.tolerance);
+    if (inliers.size() < best.inliers.size()) {
+      break;
+    }
+    best = {pose, std::move(inliers)};
+  }
+  return best;
+}
+
+}  // namespace sbox::bench
