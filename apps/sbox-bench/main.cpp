@@ -3,13 +3,17 @@
 //
 // sbox-bench: how right, how honest and how fast each method is on maps with known truth.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <opencv2/core.hpp>
 #include <string>
 #include <vector>
 
+#include "sbox-bench/calibration.h"
 #include "sbox-bench/method_list.h"
+#include "sbox-bench/overlay_picture.h"
 #include "sbox-bench/run_method.h"
 #include "sbox-bench/score_table.h"
 #include "sbox-bench/write_answers.h"
@@ -26,6 +30,8 @@ struct Arguments {
   bool no_seconds = false;
   std::string answers_file;
   std::string json_file;
+  std::string wrong_folder;
+  std::string refused_folder;
 };
 
 void addOptions(CLI::App& app, Arguments& arguments) {
@@ -45,6 +51,10 @@ void addOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("--answers", arguments.answers_file,
                  "Write the answers of the last method, one JSON object a line");
   app.add_option("--json", arguments.json_file, "Write every answer with its judgement");
+  app.add_option("--wrong", arguments.wrong_folder,
+                 "Write a picture of each wrong answer into this folder");
+  app.add_option("--refused", arguments.refused_folder,
+                 "Write a picture of each refused pair that has a truth into this folder");
   app.add_flag("--no-seconds", arguments.no_seconds,
                "Leave times out of these files, so that two runs compare byte by byte");
   app.add_flag("--markdown", arguments.markdown, "Print tables as Markdown");
@@ -53,6 +63,37 @@ void addOptions(CLI::App& app, Arguments& arguments) {
 void print(const Table& table, bool markdown) {
   std::printf("%s\n", toText(table, markdown).c_str());
   std::fflush(stdout);
+}
+
+/// Pictures of the answers with this outcome; nothing for an empty folder name.
+void drawAnswers(const MethodRun& method_run, Outcome outcome, const std::string& folder_name) {
+  if (folder_name.empty()) {
+    return;
+  }
+  std::filesystem::create_directories(folder_name);
+  for (const FolderAnswers& folder : method_run.folders) {
+    for (size_t i = 0; i < folder.answers.size(); ++i) {
+      if (folder.answers[i].outcome == outcome) {
+        const AnnotatedPair& pair = folder.loaded->folder.pairs[i];
+        std::string name = method_run.method + "-" + folder.loaded->folder.name + "-" + pair.a +
+                           "-" + pair.b + ".png";
+        std::replace(name.begin(), name.end(), '/', '_');
+        writeOverlay((std::filesystem::path(folder_name) / name).string(), *folder.loaded, i,
+                     folder.answers[i]);
+      }
+    }
+  }
+}
+
+/// Every table of one method.
+void printTables(const MethodRun& method_run, bool markdown) {
+  print(scoreTable(method_run), markdown);
+  print(timeTable(method_run), markdown);
+  print(reliabilityTable(method_run), markdown);
+  const Table errors = normalisedErrorTable(method_run);
+  if (!errors.rows.empty()) {
+    print(errors, markdown);
+  }
 }
 
 void run(const Arguments& arguments) {
@@ -67,8 +108,9 @@ void run(const Arguments& arguments) {
     for (const LoadedFolder& folder : folders) {
       method_run.folders.push_back({&folder, runMethod(method, folder, arguments.run)});
     }
-    print(scoreTable(method_run), arguments.markdown);
-    print(timeTable(method_run), arguments.markdown);
+    printTables(method_run, arguments.markdown);
+    drawAnswers(method_run, Outcome::Wrong, arguments.wrong_folder);
+    drawAnswers(method_run, Outcome::Refused, arguments.refused_folder);
     runs.push_back(std::move(method_run));
   }
   if (runs.size() > 1) {

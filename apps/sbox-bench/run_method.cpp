@@ -7,10 +7,11 @@
 #include <map>
 #include <utility>
 
-#include "sbox-bench/load_bench_map.h"
+#include "sbox-bench/calibration.h"
 #include "sbox-bench/progress_bar.h"
 #include "sbox-bench/statistics.h"
 #include "sbox/core/parallel.h"
+#include "sbox/io/load_map.h"
 
 namespace sbox::bench {
 namespace {
@@ -52,6 +53,14 @@ StageSeconds summarise(const std::vector<StageSeconds>& runs, const MapWork& a, 
           over(&StageSeconds::pair)};
 }
 
+Point2D meanPoint(const std::vector<Point2D>& points) {
+  Point2D mean;
+  for (const Point2D& point : points) {
+    mean += point * (1.0 / static_cast<double>(points.size()));
+  }
+  return mean;
+}
+
 Answer answerPair(const Method& method, const AnnotatedPair& pair, double resolution,
                   const Map& map_a, const Map& map_b, const MapWork& a, const MapWork& b,
                   int repeat) {
@@ -74,6 +83,13 @@ Answer answerPair(const Method& method, const AnnotatedPair& pair, double resolu
     answer.corner_a_in_corner_b =
         cornerTransform(answer.result.pose_b_in_a, map_a.corner_in_map, map_b.corner_in_map);
     answer.error = judged(answer.result.pose_b_in_a);
+    if (!pair.negative) {
+      const Pose2D truth = framePose(trueCornerAInCornerB(pair, resolution), map_a.corner_in_map,
+                                     map_b.corner_in_map);
+      answer.normalised_error =
+          normalisedError(answer.result, truth,
+                          map_b.corner_in_map.composePoint(meanPoint(pair.points_b) * resolution));
+    }
     answer.candidate_right = answer.poseRight();
     for (const Candidate& alternative : answer.result.alternatives) {
       const std::optional<PoseError> error = judged(alternative.pose_b_in_a);
@@ -114,7 +130,7 @@ LoadedFolder loadFolder(PairFolder folder, const RunOptions& options) {
   loaded.maps.resize(names.size());
   parallelFor(static_cast<int>(names.size()), options.threads, [&](int i) {
     const auto k = static_cast<size_t>(i);
-    loaded.maps[k] = loadBenchMap(findMapFile(folder.path, names[k]));
+    loaded.maps[k] = loadMap(findMapFile(folder.path, names[k]));
   });
   loaded.folder = std::move(folder);
   return loaded;

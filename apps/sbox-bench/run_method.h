@@ -49,9 +49,10 @@ struct Answer {
   Pose2D corner_a_in_corner_b;     ///< The transform in the annotation's frames, metres.
   std::optional<PoseError> error;  ///< None for negative pairs and answers without a pose.
   Outcome outcome = Outcome::Refused;
-  bool candidate_right = false;  ///< The pose or one of the alternatives is right.
-  StageSeconds least;            ///< Least over the repeats, stage by stage.
-  StageSeconds middle;           ///< Median over the repeats, stage by stage.
+  std::optional<double> normalised_error;  ///< See normalisedError(); none without covariance.
+  bool candidate_right = false;            ///< The pose or one of the alternatives is right.
+  StageSeconds least;                      ///< Least over the repeats, stage by stage.
+  StageSeconds middle;                     ///< Median over the repeats, stage by stage.
 
   /// Whether the pose, accepted or not, is right.
   [[nodiscard]] bool poseRight() const { return error && error->right; }

@@ -114,6 +114,9 @@ Table timeTable(const MethodRun& run) {
     }
     for (const Stage& stage : kStages) {
       const std::vector<double> least = milliseconds(group, &Answer::least, stage.seconds);
+      if (!(maximum(least) > 0)) {
+        continue;
+      }
       const std::vector<double> middle = milliseconds(group, &Answer::middle, stage.seconds);
       table.rows.push_back({group.name + ": " + stage.name, formatNumber(median(least), 2),
                             formatNumber(maximum(least), 2), formatNumber(median(middle), 2),

@@ -49,8 +49,8 @@ struct Score {
 /// One row a group: the score and the time of a pair.
 [[nodiscard]] Table scoreTable(const MethodRun& run);
 
-/// One row a folder and stage: least and median over the repeats; each as median and largest over
-/// the pairs, in milliseconds.
+/// One row a folder and stage that takes time: least and median over the repeats; each as median
+/// and largest over the pairs, in milliseconds.
 [[nodiscard]] Table timeTable(const MethodRun& run);
 
 /// One row a group, one column a method: right / wrong / refused, median error, median time.

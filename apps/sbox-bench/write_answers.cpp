@@ -65,6 +65,9 @@ Json answerJson(const AnnotatedPair& pair, const Answer& answer, bool with_secon
     entry["excess_cells"] = answer.error->excess_cells;
     entry["rotation_error_deg"] = answer.error->rotation_deg;
   }
+  if (answer.normalised_error) {
+    entry["normalised_error"] = *answer.normalised_error;
+  }
   if (with_seconds) {
     entry["seconds"] = {{"least", secondsJson(answer.least)},
                         {"median", secondsJson(answer.middle)}};

@@ -12,6 +12,8 @@
 namespace sbox::bench {
 namespace {
 
+constexpr int kBorder = 40;  ///< Pixels.
+
 struct KeypointFeatures {
   std::vector<Point2D> points;  ///< In the map frame, metres.
   cv::Mat descriptors;
@@ -27,6 +29,9 @@ cv::Mat picture(const StateGrid& grid) {
                                                                      : 127;
     }
   }
+  // Detectors skip the border of an image; the map must not lie in it.
+  cv::copyMakeBorder(image, image, kBorder, kBorder, kBorder, kBorder, cv::BORDER_CONSTANT,
+                     cv::Scalar(127));
   return image;
 }
 
@@ -42,10 +47,12 @@ KeypointFeatures extract(const Map& map, const KeypointOptions& options) {
           ? cv::Ptr<cv::Feature2D>(cv::ORB::create(options.keypoints))
           : cv::Ptr<cv::Feature2D>(cv::SIFT::create(options.keypoints));
   detector->detectAndCompute(picture(grid), cv::noArray(), keypoints, features.descriptors);
+  const auto metres = [&](float pixel) {
+    return (static_cast<double>(pixel) - kBorder + 0.5) * grid.resolution;
+  };
   for (const cv::KeyPoint& keypoint : keypoints) {
-    features.points.push_back(grid.corner_in_map.composePoint(
-        {(static_cast<double>(keypoint.pt.x) + 0.5) * grid.resolution,
-         (static_cast<double>(keypoint.pt.y) + 0.5) * grid.resolution}));
+    features.points.push_back(
+        grid.corner_in_map.composePoint({metres(keypoint.pt.x), metres(keypoint.pt.y)}));
   }
   return features;
 }

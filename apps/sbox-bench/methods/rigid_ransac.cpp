@@ -73,12 +73,8 @@ RansacResult rigidRansac(const std::vector<PointMatch>& matches, const RansacOpt
     }
   }
   for (int i = 0; i < kRefits && best.inliers.size() >= 2; ++i) {
-    const Pose2D pose = fitRigid(matches, best.inliers);
-    std::vector<int> inliers = agreeing(matches, pose, options.tolerance);
-    if (inliers.size() < best.inliers.size()) {
-      break;
-    }
-    best = {pose, std::move(inliers)};
+    best.pose_b_in_a = fitRigid(matches, best.inliers);
+    best.inliers = agreeing(matches, best.pose_b_in_a, options.tolerance);
   }
   return best;
 }

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox-bench/calibration.h"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <limits>
+
+#include "sbox-bench/statistics.h"
+
+namespace sbox::bench {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kEdges[] = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 0.99, 1};
+/// Chi-squared of 3 degrees of freedom, 95th percentile.
+constexpr double kOneAnswer95 = 7.815;
+
+size_t binOf(double confidence) {
+  size_t bin = 0;
+  while (bin + 2 < std::size(kEdges) && confidence >= kEdges[bin + 1]) {
+    ++bin;
+  }
+  return bin;
+}
+
+}  // namespace
+
+Reliability reliability(const std::vector<const Answer*>& answers) {
+  Reliability result;
+  for (size_t i = 0; i + 1 < std::size(kEdges); ++i) {
+    result.bins.push_back({kEdges[i], kEdges[i + 1], 0, 0, 0, 0, 0});
+  }
+  for (const Answer* answer : answers) {
+    if (!answer->result.has_pose) {
+      continue;
+    }
+    const double confidence = answer->result.confidence;
+    const int right = answer->poseRight() ? 1 : 0;
+    ReliabilityBin& bin = result.bins[binOf(confidence)];
+    ++bin.answers;
+    bin.right += right;
+    bin.mean_confidence += confidence;
+    if (answer->result.verdict == Verdict::Accepted) {
+      ++bin.accepted;
+      bin.accepted_right += right;
+    }
+    ++result.answers;
+    result.brier += (confidence - right) * (confidence - right);
+  }
+  for (ReliabilityBin& bin : result.bins) {
+    bin.mean_confidence = bin.answers > 0 ? bin.mean_confidence / bin.answers : kNone;
+  }
+  result.brier = result.answers > 0 ? result.brier / result.answers : kNone;
+  return result;
+}
+
+std::optional<double> normalisedError(const PairResult& result, const Pose2D& true_pose_b_in_a,
+                                      const Point2D& centre_in_b) {
+  if (!result.has_pose || result.covariance == PairResult{}.covariance) {
+    return std::nullopt;
+  }
+  const Pose2D& pose = result.pose_b_in_a;
+  const Point2D placed = pose.composePoint(centre_in_b);
+  const Point2D truth = true_pose_b_in_a.composePoint(centre_in_b);
+  const Eigen::Vector3d error(placed.x - truth.x, placed.y - truth.y,
+                              wrapAngle(pose.phi - true_pose_b_in_a.phi));
+  // d(placed) / d(x, y, phi): a turn moves the centre across its arm.
+  Eigen::Matrix3d jacobian = Eigen::Matrix3d::Identity();
+  jacobian(0, 2) = -(placed.y - pose.y);
+  jacobian(1, 2) = placed.x - pose.x;
+  const Eigen::LLT<Eigen::Matrix3d> factor(jacobian * result.covariance * jacobian.transpose());
+  if (factor.info() != Eigen::Success) {
+    return std::nullopt;
+  }
+  return error.dot(factor.solve(error));
+}
+
+Table reliabilityTable(const MethodRun& run) {
+  std::vector<const Answer*> answers;
+  for (const FolderAnswers& folder : run.folders) {
+    for (const Answer& answer : folder.answers) {
+      answers.push_back(&answer);
+    }
+  }
+  const Reliability all = reliability(answers);
+  Table table{{run.method + ", confidence", "answers", "mean confidence", "right share", "accepted",
+               "of them right"},
+              {}};
+  for (const ReliabilityBin& bin : all.bins) {
+    if (bin.answers == 0) {
+      continue;
+    }
+    const double share = static_cast<double>(bin.right) / bin.answers;
+    table.rows.push_back({formatNumber(bin.from, 2) + " to " + formatNumber(bin.to, 2),
+                          std::to_string(bin.answers), formatNumber(bin.mean_confidence, 3),
+                          formatNumber(share, 3), std::to_string(bin.accepted),
+                          std::to_string(bin.accepted_right)});
+  }
+  table.rows.push_back(
+      {"Brier score " + formatNumber(all.brier, 4), std::to_string(all.answers), "", "", "", ""});
+  return table;
+}
+
+Table normalisedErrorTable(const MethodRun& run) {
+  Table table{{run.method + ", e' P^-1 e", "answers", "mean", "95 % band", "median",
+               "share below 7.8 (honest: 0.95)"},
+              {}};
+  for (const Group& group : groupAnswers(run)) {
+    std::vector<double> values;
+    double sum = 0;
+    int inside = 0;
+    for (const Answer* answer : group.answers) {
+      if (answer->outcome == Outcome::Right && answer->normalised_error) {
+        values.push_back(*answer->normalised_error);
+        sum += values.back();
+        inside += values.back() <= kOneAnswer95 ? 1 : 0;
+      }
+    }
+    if (values.empty()) {
+      continue;
+    }
+    const auto n = static_cast<double>(values.size());
+    table.rows.push_back({group.name, std::to_string(values.size()), formatNumber(sum / n, 2),
+                          formatNumber(chiSquaredBound(3 * n, false) / n, 2) + " to " +
+                              formatNumber(chiSquaredBound(3 * n, true) / n, 2),
+                          formatNumber(median(values), 2), formatNumber(inside / n, 2)});
+  }
+  return table;
+}
+
+}  // namespace sbox::bench

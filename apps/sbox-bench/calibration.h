@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Whether a method knows how sure it may be: confidence against the share that is right, and
+// covariance against the error.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "sbox-bench/score_table.h"
+
+namespace sbox::bench {
+
+/// Answers whose confidence lies in [from, to), the last bin with its upper end.
+struct ReliabilityBin {
+  double from = 0;
+  double to = 1;
+  int answers = 0;
+  int right = 0;               ///< Of them, accepted or not.
+  double mean_confidence = 0;  ///< NaN for none.
+  int accepted = 0;            ///< Of the answers.
+  int accepted_right = 0;
+};
+
+struct Reliability {
+  std::vector<ReliabilityBin> bins;
+  int answers = 0;   ///< With a pose; a pose for a pair with nothing in common counts as not right.
+  double brier = 0;  ///< Mean squared difference of confidence and right (1) or not (0); NaN: none.
+};
+
+[[nodiscard]] Reliability reliability(const std::vector<const Answer*>& answers);
+
+/// Normalised estimation error squared, e^T P^-1 e, of the pose of b in a. The error e = (x, y,
+/// phi) and its covariance P are taken about `centre_in_b`, the middle of what the maps share:
+/// about a far-off origin the first-order P says little. Averages 3 where covariances are honest.
+/// None if the covariance is unknown (PairResult's default) or not positive definite.
+[[nodiscard]] std::optional<double> normalisedError(const PairResult& result,
+                                                    const Pose2D& true_pose_b_in_a,
+                                                    const Point2D& centre_in_b);
+
+/// One row a bin that has answers, over all answers of the run, and the Brier score.
+[[nodiscard]] Table reliabilityTable(const MethodRun& run);
+
+/// One row a group that has covariances: mean normalised error of the right answers beside the band
+/// that holds it in 95 of 100 cases if covariances are honest and errors independent.
+[[nodiscard]] Table normalisedErrorTable(const MethodRun& run);
+
+}  // namespace sbox::bench

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "catch.h"
+#include "sbox-bench/annotated_pairs.h"
+
+using namespace sbox::bench;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A fresh folder that goes away with the test.
+class TestFolder {
+ public:
+  explicit TestFolder(const std::string& name)
+      : path_(fs::temp_directory_path() / ("sbox_test_pairs_" + name)) {
+    fs::remove_all(path_);
+    fs::create_directories(path_);
+  }
+  ~TestFolder() { fs::remove_all(path_); }
+  TestFolder(const TestFolder&) = delete;
+  TestFolder& operator=(const TestFolder&) = delete;
+
+  void write(const std::string& file, const std::string& text) const {
+    fs::create_directories((path_ / file).parent_path());
+    std::ofstream(path_ / file) << text;
+  }
+  [[nodiscard]] std::string path(const std::string& file = "") const {
+    return (path_ / file).string();
+  }
+
+ private:
+  fs::path path_;
+};
+
+std::string readError(const TestFolder& folder) {
+  try {
+    static_cast<void>(readPairFolder(folder.path()));
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("a pair is read with its truth", "[bench][annotated_pairs]") {
+  const TestFolder folder("read");
+  folder.write("pairs.json", R"({"resolution": 0.1, "pairs": [
+    {"env": "office", "a": "one", "b": "sub/two", "theta_deg": 30, "theta_local": 29,
+     "t_cells": [4, -5], "rms_cells": 1.5, "tol_cells": 7, "pa": [[1, 2], [3, 4]],
+     "pb": [[5, 6], [7, 8]], "whatever": true},
+    {"env": "far", "a": "one", "b": "three", "negative": true, "pa": [], "pb": []}]})");
+  const PairFolder read = readPairFolder(folder.path());
+  CHECK(read.resolution == 0.1);
+  CHECK(read.name == "sbox_test_pairs_read");
+  REQUIRE(read.pairs.size() == 2);
+  const AnnotatedPair& pair = read.pairs[0];
+  CHECK(pair.group == "office");
+  CHECK(pair.b == "sub/two");
+  CHECK(pair.theta_deg == 30);
+  CHECK(pair.theta_local == 29.0);
+  CHECK(pair.offset.y == -5);
+  CHECK(pair.points_a[1].x == 3);
+  CHECK(pair.points_b[1].y == 8);
+  CHECK(pair.floor_cells == 1.5);
+  CHECK(pair.tolerance_cells == 7);
+  CHECK_FALSE(pair.negative);
+  CHECK(read.pairs[1].negative);
+}
+
+TEST_CASE("a folder name with a slash at its end is the same", "[bench][annotated_pairs]") {
+  const TestFolder folder("slash");
+  folder.write("pairs.json", R"({"resolution": 0.05, "pairs": []})");
+  CHECK(readPairFolder(folder.path() + "/").name == "sbox_test_pairs_slash");
+}
+
+TEST_CASE("a bad pairs.json is named with its fault", "[bench][annotated_pairs]") {
+  const TestFolder folder("bad");
+  CHECK(readError(folder).find("pairs.json: cannot be read") != std::string::npos);
+  for (const char* text :
+       {"", "{", "[]", R"({"pairs": []})", R"({"resolution": 0, "pairs": []})",
+        R"({"resolution": 0.05, "pairs": [{"env": "e", "a": "1"}]})",
+        R"({"resolution": 0.05, "pairs": [{"env": "e", "a": "1", "b": "2", "theta_deg": 0,
+            "t_cells": [0, 0], "rms_cells": 0, "pa": [[1, 2]], "pb": []}]})",
+        R"({"resolution": 0.05, "pairs": [{"env": "e", "a": "1", "b": "2", "theta_deg": 0,
+            "t_cells": [0], "rms_cells": 0, "pa": [[1, 2]], "pb": [[1, 2]]}]})"}) {
+    folder.write("pairs.json", text);
+    INFO(text);
+    CHECK(readError(folder).find(folder.path("pairs.json") + ": ") == 0);
+  }
+}
+
+TEST_CASE("a map is looked for here, then in the parent, best format first",
+          "[bench][annotated_pairs]") {
+  const TestFolder folder("find");
+  folder.write("set/here.png", "");
+  folder.write("set/here.yaml", "");
+  folder.write("set/near.gridmap.gz", "");
+  folder.write("set/near.yaml", "");
+  folder.write("near.gridmap", "");
+  folder.write("other/far.gridmap", "");
+  const std::string set = folder.path("set");
+  CHECK(findMapFile(set, "here") == folder.path("set/here.yaml"));
+  CHECK(findMapFile(set, "near") == folder.path("set/near.gridmap.gz"));
+  CHECK(findMapFile(set, "other/far") == folder.path("other/far.gridmap"));
+  CHECK_THROWS_AS(findMapFile(set, "missing"), std::runtime_error);
+}
