@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "sbox-bench/calibration.h"
+#include "sbox-bench/io_floor.h"
 #include "sbox-bench/method_list.h"
 #include "sbox-bench/overlay_picture.h"
 #include "sbox-bench/run_method.h"
@@ -28,6 +29,7 @@ struct Arguments {
   RunOptions run;
   bool markdown = false;
   bool no_seconds = false;
+  bool ratios = false;
   std::string answers_file;
   std::string json_file;
   std::string wrong_folder;
@@ -57,6 +59,8 @@ void addOptions(CLI::App& app, Arguments& arguments) {
                  "Write a picture of each refused pair that has a truth into this folder");
   app.add_flag("--no-seconds", arguments.no_seconds,
                "Leave times out of these files, so that two runs compare byte by byte");
+  app.add_flag("--ratios", arguments.ratios,
+               "Also time load, save and draw alone, and print times as ratios to them");
   app.add_flag("--markdown", arguments.markdown, "Print tables as Markdown");
 }
 
@@ -101,6 +105,12 @@ void run(const Arguments& arguments) {
   for (const std::string& folder : arguments.folders) {
     folders.push_back(loadFolder(readPairFolder(folder), arguments.run));
   }
+  std::vector<std::vector<FloorSeconds>> floors;
+  if (arguments.ratios) {
+    for (const LoadedFolder& folder : folders) {
+      floors.push_back(measureFloor(folder, arguments.run.repeat));
+    }
+  }
   std::vector<MethodRun> runs;
   for (const std::string& name : arguments.methods) {
     const Method method = methodByName(name);
@@ -109,6 +119,9 @@ void run(const Arguments& arguments) {
       method_run.folders.push_back({&folder, runMethod(method, folder, arguments.run)});
     }
     printTables(method_run, arguments.markdown);
+    if (arguments.ratios) {
+      print(ratioTable(method_run, floors), arguments.markdown);
+    }
     drawAnswers(method_run, Outcome::Wrong, arguments.wrong_folder);
     drawAnswers(method_run, Outcome::Refused, arguments.refused_folder);
     runs.push_back(std::move(method_run));

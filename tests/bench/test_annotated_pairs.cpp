@@ -1,41 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <filesystem>
-#include <fstream>
+#include <stdexcept>
 #include <string>
 
 #include "catch.h"
 #include "sbox-bench/annotated_pairs.h"
+#include "test_folder.h"
 
 using namespace sbox::bench;
 
 namespace {
-
-namespace fs = std::filesystem;
-
-/// A fresh folder that goes away with the test.
-class TestFolder {
- public:
-  explicit TestFolder(const std::string& name)
-      : path_(fs::temp_directory_path() / ("sbox_test_pairs_" + name)) {
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  ~TestFolder() { fs::remove_all(path_); }
-  TestFolder(const TestFolder&) = delete;
-  TestFolder& operator=(const TestFolder&) = delete;
-
-  void write(const std::string& file, const std::string& text) const {
-    fs::create_directories((path_ / file).parent_path());
-    std::ofstream(path_ / file) << text;
-  }
-  [[nodiscard]] std::string path(const std::string& file = "") const {
-    return (path_ / file).string();
-  }
-
- private:
-  fs::path path_;
-};
 
 std::string readError(const TestFolder& folder) {
   try {
@@ -57,7 +31,7 @@ TEST_CASE("a pair is read with its truth", "[bench][annotated_pairs]") {
     {"env": "far", "a": "one", "b": "three", "negative": true, "pa": [], "pb": []}]})");
   const PairFolder read = readPairFolder(folder.path());
   CHECK(read.resolution == 0.1);
-  CHECK(read.name == "sbox_test_pairs_read");
+  CHECK(read.name == "sbox_test_read");
   REQUIRE(read.pairs.size() == 2);
   const AnnotatedPair& pair = read.pairs[0];
   CHECK(pair.group == "office");
@@ -76,7 +50,7 @@ TEST_CASE("a pair is read with its truth", "[bench][annotated_pairs]") {
 TEST_CASE("a folder name with a slash at its end is the same", "[bench][annotated_pairs]") {
   const TestFolder folder("slash");
   folder.write("pairs.json", R"({"resolution": 0.05, "pairs": []})");
-  CHECK(readPairFolder(folder.path() + "/").name == "sbox_test_pairs_slash");
+  CHECK(readPairFolder(folder.path() + "/").name == "sbox_test_slash");
 }
 
 TEST_CASE("a bad pairs.json is named with its fault", "[bench][annotated_pairs]") {
