@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What every picture has in common: one or more plots side by side at one scale, a title line above
+// them, a legend and a scale bar below.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <string>
+#include <vector>
+
+#include "sbox/report/drawing/palette.h"
+
+namespace sbox {
+
+enum class Swatch { Area, Line, Dot, Box, Ring };
+
+/// A line of the legend: what is drawn so means this.
+struct LegendEntry {
+  Swatch swatch = Swatch::Area;
+  palette::Colour colour;
+  std::string text;
+};
+
+struct Figure {
+  std::string title;
+  std::vector<cv::Mat> plots;         ///< 8 bit, three channels, drawn at one scale.
+  std::vector<std::string> captions;  ///< Under the plots; none or one for each.
+  double pixels_per_metre = 1;        ///< Of all plots.
+  std::vector<LegendEntry> legend;
+};
+
+/// The longer side of the plots that a figure is laid out for, in pixels; the whole stays within
+/// 2000 x 2000.
+inline constexpr int plot_long_side = 1600;
+
+/// The whole picture.
+[[nodiscard]] cv::Mat composeFigure(const Figure& figure);
+
+/// The picture as the bytes of a PNG file.
+[[nodiscard]] std::vector<unsigned char> encodePng(const cv::Mat& picture);
+
+}  // namespace sbox

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox/report/pictures.h"
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <opencv2/core.hpp>
+#include <set>
+
+#include "sbox/core/parallel.h"
+#include "sbox/core/state_grid.h"
+#include "sbox/report/boxes_picture.h"
+#include "sbox/report/drawing/figure.h"
+#include "sbox/report/features_picture.h"
+#include "sbox/report/map_picture.h"
+#include "sbox/report/number_text.h"
+#include "sbox/report/overlay_picture.h"
+#include "sbox/report/short_names.h"
+#include "sbox/report/summary.h"
+
+namespace sbox {
+namespace {
+
+/// A picture still to be drawn.
+struct Plan {
+  std::string name;
+  std::function<cv::Mat()> draw;
+};
+
+/// For each map its most confident pair: enough to see why it is where it is, or why it is nowhere,
+/// and linear in the maps where all pairs would be too many to look at.
+std::vector<const MapPair*> pairsToShow(const MergeResult& result) {
+  std::vector<const MapPair*> best(result.maps.size(), nullptr);
+  for (const MapPair& pair : result.pairs) {
+    if (!pair.result.has_pose) {
+      continue;
+    }
+    for (const int map : {pair.a, pair.b}) {
+      const MapPair*& known = best[static_cast<size_t>(map)];
+      if (known == nullptr || pair.result.confidence > known->result.confidence) {
+        known = &pair;
+      }
+    }
+  }
+  std::vector<const MapPair*> shown;
+  for (const MapPair& pair : result.pairs) {
+    if (std::find(best.begin(), best.end(), &pair) != best.end()) {
+      shown.push_back(&pair);
+    }
+  }
+  return shown;
+}
+
+std::string overlayTitle(const MapPair& pair, const std::vector<std::string>& names) {
+  return names[static_cast<size_t>(pair.b)] + " in " + names[static_cast<size_t>(pair.a)] + ": " +
+         poseText(pair.result.pose_b_in_a) + " (" + toString(pair.result.verdict) +
+         ", confidence " + fixedDigits(pair.result.confidence, 2) + ")";
+}
+
+std::string mergedTitle(const MergedGroup& merged, size_t map_count) {
+  return std::to_string(merged.members.size()) + " of " + std::to_string(map_count) +
+         " maps merged, cells of " + fixedDigits(merged.map.resolution(), 3) + " m, " +
+         fixedDigits(100 * merged.conflict_share, 1) + " % in conflict";
+}
+
+std::vector<Plan> planPictures(const std::vector<StateGrid>& grids,
+                               const std::vector<std::string>& names, const MergeResult& result) {
+  std::vector<Plan> plans;
+  for (const MergedGroup& merged : result.merged) {
+    const bool main_group = &merged == &result.merged.front();
+    plans.push_back({main_group ? "merged" : "merged_group" + std::to_string(merged.group), [&] {
+                       return drawMap(classifyCells(merged.map),
+                                      mergedTitle(merged, result.maps.size()));
+                     }});
+  }
+  for (size_t i = 0; i < grids.size(); ++i) {
+    plans.push_back({"features_" + names[i],
+                     [&, i] { return drawFeatures(grids[i], result.maps[i].features, names[i]); }});
+  }
+  for (const MapPair* pair : pairsToShow(result)) {
+    const auto a = static_cast<size_t>(pair->a), b = static_cast<size_t>(pair->b);
+    const std::string suffix = names[a] + "_" + names[b];
+    plans.push_back({"boxes_" + suffix, [&, a, b, pair] {
+                       return drawMatchedBoxes(
+                           {&grids[a], &result.maps[a].features.boxes, names[a]},
+                           {&grids[b], &result.maps[b].features.boxes, names[b]},
+                           pair->result.matched_boxes);
+                     }});
+    plans.push_back({"overlay_" + suffix, [&, a, b, pair] {
+                       return drawOverlay(grids[a], grids[b], pair->result.pose_b_in_a,
+                                          overlayTitle(*pair, names), names[a], names[b]);
+                     }});
+  }
+  return plans;
+}
+
+}  // namespace
+
+std::vector<Picture> drawPictures(const std::vector<Map>& maps, const MergeResult& result,
+                                  int threads) {
+  std::vector<StateGrid> grids(maps.size());
+  parallelFor(static_cast<int>(maps.size()), threads, [&](int i) {
+    grids[static_cast<size_t>(i)] = classifyCells(maps[static_cast<size_t>(i)]);
+  });
+  std::vector<std::string> paths;
+  std::transform(maps.begin(), maps.end(), std::back_inserter(paths),
+                 [](const Map& map) { return map.name; });
+  const std::vector<std::string> names = shortNames(paths);
+  const std::vector<Plan> plans = planPictures(grids, names, result);
+
+  std::vector<std::string> file_names;
+  std::transform(plans.begin(), plans.end(), std::back_inserter(file_names),
+                 [](const Plan& plan) { return plan.name; });
+  file_names = distinctNames(file_names);
+  std::vector<Picture> pictures(plans.size());
+  parallelFor(static_cast<int>(plans.size()), threads, [&](int i) {
+    const auto index = static_cast<size_t>(i);
+    pictures[index] = {file_names[index] + ".png", encodePng(plans[index].draw())};
+  });
+  return pictures;
+}
+
+}  // namespace sbox

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox/report/report_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "sbox/report/json_layout.h"
+
+namespace sbox {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int report_version = 1;
+
+/// MRPT keeps cell sizes as floats: 0.05 m reads 0.0500000007.
+double withoutFloatNoise(double metres) { return std::round(metres * 1e7) / 1e7; }
+
+double microseconds(double seconds) { return std::round(seconds * 1e6) / 1e6; }
+
+Json poseJson(const Pose2D& pose) { return {{"x", pose.x}, {"y", pose.y}, {"phi", pose.phi}}; }
+
+Json poseJson(const std::optional<Pose2D>& pose) { return pose ? poseJson(*pose) : Json(nullptr); }
+
+Json covarianceJson(const PoseCovariance& covariance) {
+  Json rows = Json::array();
+  for (int row = 0; row < 3; ++row) {
+    rows.push_back({covariance(row, 0), covariance(row, 1), covariance(row, 2)});
+  }
+  return rows;
+}
+
+Json mapJson(const MapOutcome& map) {
+  return {{"file", map.name},
+          {"placed", map.placed},
+          {"group", map.placement.group},
+          {"pose", poseJson(map.placement.pose)},
+          {"covariance", covarianceJson(map.placement.covariance)},
+          {"cells", {map.width, map.height}},
+          {"resolution", withoutFloatNoise(map.resolution)},
+          {"features",
+           {{"lines", map.features.lines.size()},
+            {"vertical_points", map.features.vertical_points.size()},
+            {"boxes", map.features.boxes.size()}}}};
+}
+
+Json pairJson(const MapPair& pair) {
+  const PairResult& result = pair.result;
+  Json alternatives = Json::array();
+  for (const Candidate& candidate : result.alternatives) {
+    alternatives.push_back(
+        {{"pose", poseJson(candidate.pose_b_in_a)}, {"confidence", candidate.confidence}});
+  }
+  return {{"a", pair.a},
+          {"b", pair.b},
+          {"verdict", toString(result.verdict)},
+          {"reason", result.reason},
+          {"pose", result.has_pose ? poseJson(result.pose_b_in_a) : Json(nullptr)},
+          {"covariance", result.has_pose ? covarianceJson(result.covariance) : Json(nullptr)},
+          {"confidence", result.confidence},
+          {"matched_boxes", result.matched_boxes.size()},
+          {"overlap_m2", result.overlap_m2},
+          {"kalman", poseJson(result.kalman)},
+          {"ceres", poseJson(result.ceres)},
+          {"alternatives", alternatives}};
+}
+
+Json mergedJson(const MergedGroup& merged, const std::string& file) {
+  return {{"file", file},
+          {"cells", {merged.map.width(), merged.map.height()}},
+          {"conflict_share", merged.conflict_share}};
+}
+
+Json secondsJson(const StageSeconds& seconds) {
+  return {{"load", microseconds(seconds.load)},
+          {"features", microseconds(seconds.features)},
+          {"matching", microseconds(seconds.matching)},
+          {"verification", microseconds(seconds.verification)},
+          {"refinement", microseconds(seconds.refinement)},
+          {"fusion", microseconds(seconds.fusion)},
+          {"save", microseconds(seconds.save)},
+          {"total", microseconds(seconds.total)}};
+}
+
+}  // namespace
+
+std::string reportJson(const MergeResult& result, const std::vector<std::string>& merged_files) {
+  Json report{{"version", report_version},
+              {"reference", result.reference},
+              {"status", toString(result.status)},
+              {"maps", Json::array()},
+              {"pairs", Json::array()},
+              {"merged", nullptr}};
+  for (const MapOutcome& map : result.maps) {
+    report["maps"].push_back(mapJson(map));
+  }
+  for (const MapPair& pair : result.pairs) {
+    report["pairs"].push_back(pairJson(pair));
+  }
+  const size_t written = std::min(result.merged.size(), merged_files.size());
+  if (written > 0) {
+    report["merged"] = mergedJson(result.merged[0], merged_files[0]);
+  }
+  for (size_t i = 1; i < written; ++i) {
+    Json group = mergedJson(result.merged[i], merged_files[i]);
+    group["group"] = result.merged[i].group;
+    group["reference"] = result.merged[i].reference;
+    report["other_groups"].push_back(group);
+  }
+  report["seconds"] = secondsJson(result.seconds);
+  return layOutJson(report);
+}
+
+}  // namespace sbox

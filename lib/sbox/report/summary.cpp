@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox/report/summary.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sbox/report/number_text.h"
+
+namespace sbox {
+namespace {
+
+/// "b.gridmap in a.gridmap: POSE".
+std::string placeText(const MergeResult& result, int map, int reference, const Pose2D& pose) {
+  return result.maps[static_cast<size_t>(map)].name + " in " +
+         result.maps[static_cast<size_t>(reference)].name + ": " + poseText(pose);
+}
+
+std::string confidenceText(double confidence) { return "confidence " + fixedDigits(confidence, 2); }
+
+/// "b.gridmap in a.gridmap: VERDICT: REASON (best candidate ...)".
+std::string pairText(const MergeResult& result, const MapPair& pair) {
+  const PairResult& found = pair.result;
+  std::string text = result.maps[static_cast<size_t>(pair.b)].name + " in " +
+                     result.maps[static_cast<size_t>(pair.a)].name + ": " +
+                     toString(found.verdict) + ", " + found.reason;
+  if (found.has_pose) {
+    text += " (best candidate " + poseText(found.pose_b_in_a) + ", " +
+            confidenceText(found.confidence) + ")";
+  }
+  return text;
+}
+
+/// The most confident pair of a map, if it is in any.
+const MapPair* bestPair(const MergeResult& result, int map) {
+  const MapPair* best = nullptr;
+  for (const MapPair& pair : result.pairs) {
+    const bool of_map = pair.a == map || pair.b == map;
+    if (of_map && (best == nullptr || pair.result.confidence > best->result.confidence)) {
+      best = &pair;
+    }
+  }
+  return best;
+}
+
+std::string countText(size_t merged, const MergeResult& result) {
+  return std::to_string(merged) + " of " + std::to_string(result.maps.size()) + " maps merged";
+}
+
+std::vector<std::string> groupLines(const MergeResult& result, const MergedGroup& group) {
+  std::vector<std::string> lines;
+  for (const int map : group.members) {
+    if (map != group.reference) {
+      const Pose2D& pose = result.maps[static_cast<size_t>(map)].placement.pose;
+      lines.push_back(placeText(result, map, group.reference, pose));
+    }
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::string poseText(const Pose2D& pose) {
+  return "x " + fixedDigits(pose.x, 3) + " m, y " + fixedDigits(pose.y, 3) + " m, phi " +
+         fixedDigits(pose.phi * 180 / M_PI, 2) + " deg";
+}
+
+std::vector<std::string> summaryLines(const MergeResult& result,
+                                      const std::vector<std::string>& merged_files) {
+  if (result.maps.size() == 2 && result.pairs.size() == 1) {
+    if (result.merged.empty()) {
+      return {countText(0, result) + ", " + pairText(result, result.pairs[0])};
+    }
+    const std::string place = groupLines(result, result.merged[0]).at(0);
+    return {merged_files.at(0) + ": " + countText(2, result) + ", " + place + " (" +
+            confidenceText(result.pairs[0].result.confidence) + ")"};
+  }
+  std::vector<std::string> lines;
+  std::vector<bool> told(result.maps.size(), false);
+  for (size_t i = 0; i < result.merged.size(); ++i) {
+    const MergedGroup& group = result.merged[i];
+    lines.push_back(merged_files.at(i) + ": " + countText(group.members.size(), result) + " in " +
+                    result.maps[static_cast<size_t>(group.reference)].name);
+    for (const std::string& line : groupLines(result, group)) {
+      lines.push_back(line);
+    }
+    for (const int map : group.members) {
+      told[static_cast<size_t>(map)] = true;
+    }
+  }
+  if (result.merged.empty()) {
+    lines.push_back(countText(0, result));
+  }
+  for (size_t map = 0; map < told.size(); ++map) {
+    const MapPair* best = told[map] ? nullptr : bestPair(result, static_cast<int>(map));
+    if (best != nullptr) {
+      lines.push_back(result.maps[map].name + ": left out; " + pairText(result, *best));
+    }
+  }
+  return lines;
+}
+
+std::vector<std::string> detailLines(const MergeResult& result) {
+  std::vector<std::string> lines;
+  for (const MapOutcome& map : result.maps) {
+    lines.push_back(map.name + ": " + std::to_string(map.width) + " x " +
+                    std::to_string(map.height) + " cells of " + fixedDigits(map.resolution, 3) +
+                    " m, " + std::to_string(map.features.lines.size()) + " lines, " +
+                    std::to_string(map.features.vertical_points.size()) + " vertical points, " +
+                    std::to_string(map.features.boxes.size()) + " boxes");
+  }
+  for (const MapPair& pair : result.pairs) {
+    lines.push_back(pairText(result, pair));
+  }
+  return lines;
+}
+
+}  // namespace sbox

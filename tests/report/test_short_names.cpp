@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "catch.h"
+#include "sbox/report/short_names.h"
+
+using namespace sbox;
+using Names = std::vector<std::string>;
+
+TEST_CASE("short names are the stems of the paths") {
+  CHECK(shortNames({"maps/r1.gridmap.gz", "../r2.yaml", "r3.v2.png"}) ==
+        Names{"r1", "r2", "r3_v2"});
+}
+
+TEST_CASE("short names are safe in file names") {
+  CHECK(shortNames({"a b/c d$.yaml", "..", "x/", "r\xc3\xa9\n.png"}) ==
+        Names{"c_d_", "__", "map", "r___"});
+  CHECK(shortNames({std::string(300, 'x') + ".gridmap"})[0].size() == 60);
+}
+
+TEST_CASE("names that collide are numbered, also where they differ in case only") {
+  CHECK(shortNames({"r1/map.yaml", "r2/map.yaml", "r3/MAP.yaml"}) ==
+        Names{"map", "map-2", "MAP-3"});
+  CHECK(distinctNames({"m", "m-2", "m", "m"}) == Names{"m", "m-2", "m-3", "m-4"});
+}

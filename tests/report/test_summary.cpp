@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "catch.h"
+#include "sbox/report/number_text.h"
+#include "sbox/report/summary.h"
+
+using namespace sbox;
+using Lines = std::vector<std::string>;
+
+namespace {
+
+MergeResult results(const std::vector<std::string>& names) {
+  MergeResult result;
+  for (const std::string& name : names) {
+    MapOutcome map;
+    map.name = name;
+    result.maps.push_back(map);
+  }
+  return result;
+}
+
+MapPair pairOf(int a, int b, Verdict verdict, double confidence) {
+  MapPair pair{a, b, {}};
+  pair.result.verdict = verdict;
+  pair.result.reason = "as seen";
+  pair.result.has_pose = true;
+  pair.result.pose_b_in_a = {1.2341, -0.5671, 12.34 * M_PI / 180};
+  pair.result.confidence = confidence;
+  return pair;
+}
+
+}  // namespace
+
+TEST_CASE("numbers are rounded and never minus zero") {
+  CHECK(fixedDigits(-0.0004, 3) == "0.000");
+  CHECK(fixedDigits(-0.0006, 3) == "-0.001");
+  CHECK(fixedDigits(12.5, 0) == "13");
+}
+
+TEST_CASE("two merged maps take one line") {
+  MergeResult result = results({"a.gridmap", "b.gridmap"});
+  result.pairs = {pairOf(0, 1, Verdict::Accepted, 0.98)};
+  result.maps[1].placement.pose = result.pairs[0].result.pose_b_in_a;
+  result.merged.resize(1);
+  result.merged[0].members = {0, 1};
+  CHECK(summaryLines(result, {"merged.gridmap"}) ==
+        Lines{"merged.gridmap: 2 of 2 maps merged, b.gridmap in a.gridmap: x 1.234 m, y -0.567 m, "
+              "phi 12.34 deg (confidence 0.98)"});
+}
+
+TEST_CASE("two refused maps take one line with the best candidate") {
+  MergeResult result = results({"a.gridmap", "b.gridmap"});
+  result.pairs = {pairOf(0, 1, Verdict::Ambiguous, 0.4)};
+  CHECK(summaryLines(result, {}) ==
+        Lines{"0 of 2 maps merged, b.gridmap in a.gridmap: ambiguous, as seen (best candidate x "
+              "1.234 m, y -0.567 m, phi 12.34 deg, confidence 0.40)"});
+}
+
+TEST_CASE("of more maps each has its line") {
+  MergeResult result = results({"a", "b", "c"});
+  result.pairs = {pairOf(0, 1, Verdict::Accepted, 0.9), pairOf(0, 2, Verdict::Rejected, 0.1),
+                  pairOf(1, 2, Verdict::Rejected, 0.2)};
+  result.maps[1].placement.pose = {2, 3, 0};
+  result.merged.resize(1);
+  result.merged[0].members = {0, 1};
+  CHECK(summaryLines(result, {"m.yaml"}) ==
+        Lines{"m.yaml: 2 of 3 maps merged in a", "b in a: x 2.000 m, y 3.000 m, phi 0.00 deg",
+              "c: left out; c in b: rejected, as seen (best candidate x 1.234 m, y -0.567 m, phi "
+              "12.34 deg, confidence 0.20)"});
+}
