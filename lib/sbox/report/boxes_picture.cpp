@@ -52,6 +52,7 @@ std::vector<Match> distinctMatches(const BoxesOfMap& a, const BoxesOfMap& b,
                                    double label_gap) {
   constexpr double most_overlap = 0.5;
   std::vector<Match> matches;
+  matches.reserve(matched.size());
   for (const auto& [in_a, in_b] : matched) {
     matches.push_back(
         {a.boxes->at(static_cast<size_t>(in_a)), b.boxes->at(static_cast<size_t>(in_b))});

@@ -35,8 +35,8 @@ std::string layOut(const nlohmann::ordered_json& json, size_t indent, size_t use
   std::string out;
   for (const auto& [key, value] : json.items()) {
     const std::string label = json.is_object() ? inLine(key) + ": " : "";
-    out += (out.empty() ? "" : ",\n") + blanks + label +
-           layOut(value, indent + 2, blanks.size() + label.size());
+    out.append(out.empty() ? "" : ",\n").append(blanks).append(label);
+    out.append(layOut(value, indent + 2, blanks.size() + label.size()));
   }
   const std::string end(indent, ' ');
   return json.is_object() ? "{\n" + out + "\n" + end + "}" : "[\n" + out + "\n" + end + "]";

@@ -3,6 +3,7 @@
 #include "sbox/report/pictures.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <opencv2/core.hpp>
@@ -17,10 +18,16 @@
 #include "sbox/report/number_text.h"
 #include "sbox/report/overlay_picture.h"
 #include "sbox/report/short_names.h"
-#include "sbox/report/summary.h"
 
 namespace sbox {
 namespace {
+
+/// The name in at most 18 letters: what does not fit goes from its middle.
+std::string legible(const std::string& name) {
+  constexpr size_t most = 18, head = 7, tail = 8;
+  return name.size() <= most ? name
+                             : name.substr(0, head) + "..." + name.substr(name.size() - tail);
+}
 
 /// A picture still to be drawn.
 struct Plan {
@@ -53,9 +60,12 @@ std::vector<const MapPair*> pairsToShow(const MergeResult& result) {
 }
 
 std::string overlayTitle(const MapPair& pair, const std::vector<std::string>& names) {
-  return names[static_cast<size_t>(pair.b)] + " in " + names[static_cast<size_t>(pair.a)] + ": " +
-         poseText(pair.result.pose_b_in_a) + " (" + toString(pair.result.verdict) +
-         ", confidence " + fixedDigits(pair.result.confidence, 2) + ")";
+  const Pose2D& pose = pair.result.pose_b_in_a;
+  return legible(names[static_cast<size_t>(pair.b)]) + " in " +
+         legible(names[static_cast<size_t>(pair.a)]) + ": x " + fixedDigits(pose.x, 2) + " m, y " +
+         fixedDigits(pose.y, 2) + " m, phi " + fixedDigits(pose.phi * 180 / M_PI, 1) + " deg (" +
+         toString(pair.result.verdict) + ", confidence " + fixedDigits(pair.result.confidence, 2) +
+         ")";
 }
 
 std::string mergedTitle(const MergedGroup& merged, size_t map_count) {
@@ -89,7 +99,8 @@ std::vector<Plan> planPictures(const std::vector<StateGrid>& grids,
                      }});
     plans.push_back({"overlay_" + suffix, [&, a, b, pair] {
                        return drawOverlay(grids[a], grids[b], pair->result.pose_b_in_a,
-                                          overlayTitle(*pair, names), names[a], names[b]);
+                                          overlayTitle(*pair, names), legible(names[a]),
+                                          legible(names[b]));
                      }});
   }
   return plans;
@@ -98,7 +109,7 @@ std::vector<Plan> planPictures(const std::vector<StateGrid>& grids,
 }  // namespace
 
 std::vector<Picture> drawPictures(const std::vector<Map>& maps, const MergeResult& result,
-                                  int threads) {
+                                  int threads, const ProgressFunction& progress) {
   std::vector<StateGrid> grids(maps.size());
   parallelFor(static_cast<int>(maps.size()), threads, [&](int i) {
     grids[static_cast<size_t>(i)] = classifyCells(maps[static_cast<size_t>(i)]);
@@ -114,9 +125,12 @@ std::vector<Picture> drawPictures(const std::vector<Map>& maps, const MergeResul
                  [](const Plan& plan) { return plan.name; });
   file_names = distinctNames(file_names);
   std::vector<Picture> pictures(plans.size());
+  StageProgress pictures_progress(progress, "pictures", static_cast<int>(plans.size()));
   parallelFor(static_cast<int>(plans.size()), threads, [&](int i) {
+    pictures_progress.partBegins();
     const auto index = static_cast<size_t>(i);
     pictures[index] = {file_names[index] + ".png", encodePng(plans[index].draw())};
+    pictures_progress.partDone();
   });
   return pictures;
 }

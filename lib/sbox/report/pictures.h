@@ -9,6 +9,7 @@
 
 #include "sbox/core/map.h"
 #include "sbox/merge_result.h"
+#include "sbox/progress.h"
 
 namespace sbox {
 
@@ -22,6 +23,7 @@ struct Picture {
 /// boxes_A_B.png and overlay_A_B.png; and the merged maps, merged.png first. `maps` are those that
 /// `result` came from. Works on up to `threads` threads (0: one a core).
 [[nodiscard]] std::vector<Picture> drawPictures(const std::vector<Map>& maps,
-                                                const MergeResult& result, int threads = 0);
+                                                const MergeResult& result, int threads = 0,
+                                                const ProgressFunction& progress = {});
 
 }  // namespace sbox

@@ -16,10 +16,20 @@ namespace {
 
 constexpr int margin = 36;
 constexpr int gap = 28;
-constexpr int min_width = 1100;
+constexpr int min_width = 1300;
 constexpr int line_height = 46;
 const TextStyle title_style{23, palette::ink, true};
 const TextStyle small_style{19, palette::ink, false};
+
+/// The title in letters as large as its length allows, down to a size still to be read.
+void drawTitle(cv::Mat& picture, const std::string& title, int width) {
+  constexpr double least_cap_height = 15;
+  TextStyle style = title_style;
+  while (style.cap_height > least_cap_height && textWidth(title, style) > width) {
+    style.cap_height -= 1;
+  }
+  drawText(picture, shortened(title, width, style), {margin, 54}, style);
+}
 
 /// The largest of 1, 2, 5, 10, ... (and 0.5, 0.2, ...) metres that is at most `pixels` long.
 double roundLength(double pixels, double pixels_per_metre) {
@@ -123,7 +133,7 @@ cv::Mat composeFigure(const Figure& figure) {
   cv::Mat picture(foot + static_cast<int>(rows.size()) * line_height, inner_width + 2 * margin,
                   CV_8UC3, palette::scalar(palette::paper));
 
-  drawText(picture, shortened(figure.title, inner_width, title_style), {margin, 54}, title_style);
+  drawTitle(picture, figure.title, inner_width);
   int x = margin + (inner_width - plots_width) / 2;
   for (size_t i = 0; i < figure.plots.size(); ++i) {
     const cv::Mat& plot = figure.plots[i];

@@ -32,7 +32,7 @@ struct Figure {
 
 /// The longer side of the plots that a figure is laid out for, in pixels; the whole stays within
 /// 2000 x 2000.
-inline constexpr int plot_long_side = 1600;
+inline constexpr int plot_long_side = 1500;
 
 /// The whole picture.
 [[nodiscard]] cv::Mat composeFigure(const Figure& figure);

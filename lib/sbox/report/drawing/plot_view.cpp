@@ -3,10 +3,46 @@
 #include "sbox/report/drawing/plot_view.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
 namespace sbox {
+namespace {
+
+/// How many cells lie in each strip, a cell wide, across one axis of the plot.
+class Histogram {
+ public:
+  /// A step along a row and one up a column move by so much along the axis, in cells.
+  Histogram(double per_column, double per_row, const StateGrid& grid)
+      : per_column_(per_column), per_row_(per_row) {
+    const double by_columns = per_column * (grid.width - 1), by_rows = per_row * (grid.height - 1);
+    first_ = std::floor(std::min(by_columns, 0.0) + std::min(by_rows, 0.0));
+    const double last = std::ceil(std::max(by_columns, 0.0) + std::max(by_rows, 0.0));
+    counts_.assign(static_cast<size_t>(last - first_) + 2, 0);
+  }
+  void add(int column, int row) {
+    ++counts_[static_cast<size_t>(std::lround(per_column_ * column + per_row_ * row - first_))];
+  }
+  /// Low end of the first and high end of the last strip between which all but `spare` of the cells
+  /// at each end lie.
+  [[nodiscard]] std::pair<double, double> mainSpan(int spare) const {
+    size_t first = 0, last = counts_.size() - 1;
+    for (int left_out = 0; first < last && (left_out += counts_[first]) <= spare;) {
+      ++first;
+    }
+    for (int left_out = 0; first < last && (left_out += counts_[last]) <= spare;) {
+      --last;
+    }
+    return {first_ + static_cast<double>(first) - 0.5, first_ + static_cast<double>(last) + 0.5};
+  }
+
+ private:
+  double per_column_, per_row_;
+  double first_ = 0;
+  std::vector<int> counts_;
+};
+
+}  // namespace
 
 void Bounds::add(const Point2D& point) {
   if (empty) {
@@ -22,11 +58,27 @@ void Bounds::add(const StateGrid& grid, const Pose2D& pose_in_plot) {
   if (grid.empty()) {
     return;
   }
-  const double w = grid.width * grid.resolution, h = grid.height * grid.resolution;
+  constexpr int cells_per_spare = 1000;
   const Pose2D corner_in_plot = pose_in_plot + grid.corner_in_map;
-  for (const Point2D& corner : std::array<Point2D, 4>{{{0, 0}, {w, 0}, {w, h}, {0, h}}}) {
-    add(corner_in_plot.composePoint(corner));
+  const Point2D first = corner_in_plot.composePoint({grid.resolution / 2, grid.resolution / 2});
+  const double c = std::cos(corner_in_plot.phi), s = std::sin(corner_in_plot.phi);
+  // Where cells lie along the plot's axes, counted in cells from that of cell (0, 0).
+  Histogram along_x(c, -s, grid), along_y(s, c, grid);
+  int known = 0;
+  const CellState* cell = grid.cells.data();
+  for (int row = 0; row < grid.height; ++row) {
+    for (int column = 0; column < grid.width; ++column) {
+      if (*cell++ != CellState::Unknown) {
+        along_x.add(column, row);
+        along_y.add(column, row);
+        ++known;
+      }
+    }
   }
+  const auto [x0, x1] = along_x.mainSpan(known / cells_per_spare);
+  const auto [y0, y1] = along_y.mainSpan(known / cells_per_spare);
+  add({first.x + x0 * grid.resolution, first.y + y0 * grid.resolution});
+  add({first.x + x1 * grid.resolution, first.y + y1 * grid.resolution});
 }
 
 cv::Point2d PlotView::toPixels(const Point2D& point) const {

@@ -20,7 +20,8 @@ struct Bounds {
 
   /// Grows to hold the point.
   void add(const Point2D& point);
-  /// Grows to hold the grid, whose map frame has the pose `pose_in_plot` in the plot's frame.
+  /// Grows to hold what the grid knows, whose map frame has the pose `pose_in_plot` in the plot's
+  /// frame, but for stray specks: at each side up to 1 in 1000 known cells may be left out.
   void add(const StateGrid& grid, const Pose2D& pose_in_plot);
 };
 

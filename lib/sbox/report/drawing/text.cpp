@@ -86,8 +86,7 @@ std::string shortened(const std::string& text, int width, const TextStyle& style
   }
   for (size_t keep = text.size(); keep > 1; --keep) {
     const size_t head = keep / 2;
-    const std::string candidate =
-        text.substr(0, head) + "..." + text.substr(text.size() - (keep - head));
+    std::string candidate = text.substr(0, head) + "..." + text.substr(text.size() - (keep - head));
     if (textWidth(candidate, style) <= width) {
       return candidate;
     }

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One table from which options are read, dumped and explained: each stage lists its options once
+// (see describe_options.h), with key, unit, range and meaning.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sbox/config/ini_text.h"
+
+namespace sbox {
+
+/// Values an option may take, both ends included, in the unit of the file.
+struct Range {
+  double low;
+  double high;
+};
+
+/// A row of the table, bound to the variable that holds the option.
+struct OptionRow {
+  std::string section;
+  std::string key;
+  std::string meaning;  ///< With unit and range.
+  std::function<std::string()> read;
+  /// Throws std::invalid_argument saying what the value must be.
+  std::function<void(const std::string&)> write;
+};
+
+class OptionTable {
+ public:
+  /// The rows that follow belong to this section.
+  void section(const std::string& name) { section_ = name; }
+
+  void metres(const std::string& key, double& value, Range range, const std::string& meaning);
+  /// Radians in the variable, degrees in files and in the range.
+  void degrees(const std::string& key, double& value, Range range, const std::string& meaning);
+  /// A number without a unit, or with the one that the meaning names.
+  void number(const std::string& key, double& value, Range range, const std::string& meaning);
+  void count(const std::string& key, int& value, Range range, const std::string& meaning);
+  void flag(const std::string& key, bool& value, const std::string& meaning);
+
+  template <typename Enum>
+  void choice(const std::string& key, Enum& value,
+              const std::vector<std::pair<std::string, Enum>>& names, const std::string& meaning) {
+    std::vector<std::string> words;
+    words.reserve(names.size());
+    for (const auto& name : names) {
+      words.push_back(name.first);
+    }
+    addChoice(
+        key, words, meaning,
+        [&value, names] {
+          for (size_t i = 0; i < names.size(); ++i) {
+            if (names[i].second == value) {
+              return i;
+            }
+          }
+          return names.size();
+        },
+        [&value, names](size_t i) { value = names[i].second; });
+  }
+
+  [[nodiscard]] const std::vector<OptionRow>& rows() const { return rows_; }
+
+  /// Sets the variables. Throws IniError on an unknown section or key and on a bad value.
+  void apply(const std::vector<IniEntry>& entries) const;
+
+  /// Ini text with every option, its present value and its meaning as a comment; apply() reads it
+  /// back to the same values.
+  [[nodiscard]] std::string dump() const;
+
+ private:
+  void addNumber(const std::string& key, double& value, Range range, double file_unit,
+                 const std::string& meaning);
+  void addChoice(const std::string& key, const std::vector<std::string>& words,
+                 const std::string& meaning, const std::function<size_t()>& read,
+                 const std::function<void(size_t)>& write);
+
+  std::string section_;
+  std::vector<OptionRow> rows_;
+};
+
+}  // namespace sbox
