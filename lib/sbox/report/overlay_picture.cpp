@@ -18,11 +18,15 @@ namespace {
 /// The plot is painted larger and shrunk, which makes its edges smooth.
 constexpr int oversampling = 2;
 
-/// Pixels at most `metres` from a pixel of the mask.
-cv::Mat within(const cv::Mat& mask, double metres, const PlotView& view) {
-  cv::Mat distance;
-  cv::distanceTransform(~mask, distance, cv::DIST_L2, cv::DIST_MASK_5);
-  return distance <= metres * view.pixels_per_metre;
+/// Pixels at most `metres` from a pixel of the mask. Measured in the plot's own pixels, which saves
+/// three quarters of the time and shows nowhere.
+cv::Mat within(const cv::Mat& mask, double metres, const PlotView& fine) {
+  cv::Mat small, distance, near;
+  cv::resize(mask, small, mask.size() / oversampling, 0, 0, cv::INTER_NEAREST);
+  cv::distanceTransform(~small, distance, cv::DIST_L2, cv::DIST_MASK_5);
+  cv::resize(distance <= metres * fine.pixels_per_metre / oversampling, near, mask.size(), 0, 0,
+             cv::INTER_NEAREST);
+  return near;
 }
 
 struct Walls {
