@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox/fusion/fuse_maps.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "sbox/core/parallel.h"
+#include "sbox/fusion/contested_cell.h"
+#include "sbox/fusion/evidence_tile.h"
+#include "sbox/fusion/lattice.h"
+#include "sbox/fusion/log_odds_rule.h"
+#include "sbox/fusion/map_layer.h"
+#include "sbox/fusion/table_rule.h"
+
+namespace sbox {
+namespace {
+
+/// Edge of a tile, in cells: 128 x 64 cells of evidence fit a core's second-level cache.
+constexpr int kTileWidth = 128, kTileHeight = 64;
+
+void checkInput(const std::vector<PlacedMap>& maps, std::size_t reference) {
+  if (reference >= maps.size()) {
+    throw std::invalid_argument("fuseMaps needs a reference among its maps");
+  }
+  for (const PlacedMap& placed : maps) {
+    if (placed.map == nullptr || placed.map->width() < 1 || placed.map->height() < 1) {
+      throw std::invalid_argument("fuseMaps was given a map without cells");
+    }
+    const Pose2D& pose = placed.pose_in_reference;
+    if (!std::isfinite(pose.x) || !std::isfinite(pose.y) || !std::isfinite(pose.phi)) {
+      throw std::invalid_argument("fuseMaps was given a pose that is not finite");
+    }
+  }
+}
+
+void checkSize(const CellBox& box, double max_cells) {
+  const double width = static_cast<double>(box.x_end) - box.x_first;
+  const double height = static_cast<double>(box.y_end) - box.y_first;
+  if (width * height > max_cells) {
+    throw std::length_error("the merged map would have " + std::to_string(std::llround(width)) +
+                            " x " + std::to_string(std::llround(height)) +
+                            " cells, more than allowed");
+  }
+}
+
+Map makeMerged(const Lattice& lattice, const CellBox& box) {
+  Pose2D corner = lattice.corner_in_reference;
+  const Point2D lower_left =
+      corner.composePoint({box.x_first * lattice.resolution, box.y_first * lattice.resolution});
+  corner.x = lower_left.x;
+  corner.y = lower_left.y;
+  return makeMap("merged", box.x_end - box.x_first, box.y_end - box.y_first, lattice.resolution,
+                 corner);
+}
+
+struct Counts {
+  std::size_t shared = 0;
+  std::size_t conflicts = 0;
+};
+
+int saturated(int log_odds) { return std::clamp(log_odds, -127, 127); }
+
+/// Settles the cells of a tile and writes them into the result, whose cell (0, 0) is lattice cell
+/// (box.x_first, box.y_first). Counts what is shared and in conflict.
+Counts settleTile(const EvidenceTile& tile, const std::vector<MapLayer>& layers, const CellBox& box,
+                  const FusionOptions& options, const StateLimits& limits, FusionResult* result) {
+  Counts counts;
+  const auto width = static_cast<std::size_t>(box.x_end - box.x_first);
+  const CellBox& cells = tile.cells();
+  const int offset = cells.x_first - box.x_first;
+  for (int y = cells.y_first; y < cells.y_end; ++y) {
+    const CellTally* tallies = tile.row(y);
+    LogOdds* out = result->merged.grid.getRow(y - box.y_first) + offset;
+    std::uint8_t* conflicts =
+        result->conflicts.data() + static_cast<std::size_t>(y - box.y_first) * width + offset;
+    for (int i = 0; i < cells.x_end - cells.x_first; ++i) {
+      const CellTally& tally = tallies[i];
+      counts.shared += tally.maps() >= 2 ? 1 : 0;
+      int value = tally.free() - tally.occupied();
+      if (tally.contested()) {
+        const ContestedCell cell = contestedCell(layers, cells.x_first + i, y, limits);
+        value =
+            options.rule == FusionRule::Table ? settleByTable(cell, limits) : settleByLogOdds(cell);
+        conflicts[i] = cell.conflict ? 1 : 0;
+        counts.conflicts += cell.conflict ? 1 : 0;
+      }
+      out[i] = static_cast<LogOdds>(saturated(value));
+    }
+  }
+  return counts;
+}
+
+}  // namespace
+
+FusionResult fuseMaps(const std::vector<PlacedMap>& maps, std::size_t reference,
+                      const FusionOptions& options) {
+  checkInput(maps, reference);
+  const Lattice lattice = chooseLattice(maps, reference);
+  std::vector<MapLayer> layers;
+  CellBox box;
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    layers.push_back(layMap(maps[i], lattice, i == reference));
+    box = hull(box, layers.back().box);
+  }
+  if (box.empty()) {
+    box = {0, 0, 1, 1};
+  }
+  checkSize(box, options.max_cells);
+
+  FusionResult result;
+  result.merged = makeMerged(lattice, box);
+  result.conflicts.assign(result.merged.grid.getRawMap().size(), 0);
+  const StateLimits limits = stateLimits(options.states);
+  const int bands = (result.merged.height() + kTileHeight - 1) / kTileHeight;
+  std::vector<Counts> counts(static_cast<std::size_t>(bands));
+  parallelFor(bands, options.threads, [&](int band) {
+    EvidenceTile tile;
+    CellBox cells = box;
+    cells.y_first = box.y_first + band * kTileHeight;
+    cells.y_end = std::min(cells.y_first + kTileHeight, box.y_end);
+    for (int x = box.x_first; x < box.x_end; x += kTileWidth) {
+      cells.x_first = x;
+      cells.x_end = std::min(x + kTileWidth, box.x_end);
+      tile.reset(cells);
+      bool any_known = false;
+      for (const MapLayer& layer : layers) {
+        any_known = tile.add(layer) || any_known;
+      }
+      if (!any_known) {
+        continue;
+      }
+      const Counts in_tile = settleTile(tile, layers, box, options, limits, &result);
+      counts[static_cast<std::size_t>(band)].shared += in_tile.shared;
+      counts[static_cast<std::size_t>(band)].conflicts += in_tile.conflicts;
+    }
+  });
+  for (const Counts& in_band : counts) {
+    result.shared_cells += in_band.shared;
+    result.conflict_cells += in_band.conflicts;
+  }
+  if (result.shared_cells > 0) {
+    result.conflict_share =
+        static_cast<double>(result.conflict_cells) / static_cast<double>(result.shared_cells);
+  }
+  return result;
+}
+
+}  // namespace sbox

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "sbox/core/state_grid.h"
+
+namespace sbox {
+
+/// StateOptions' probabilities as MRPT's log-odds: free from `free_from` on, occupied up to
+/// `occupied_to`.
+struct StateLimits {
+  int free_from = 1;
+  int occupied_to = -1;
+};
+
+[[nodiscard]] StateLimits stateLimits(const StateOptions& options);
+
+}  // namespace sbox
