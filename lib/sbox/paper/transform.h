@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The transformation matrix T of the paper, eq. 4, and how to get it from corresponding points.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "sbox/core/pose.h"
+
+namespace sbox {
+
+/// A pose with its sine and cosine worked out once, to carry over many points.
+struct Transform {
+  explicit Transform(const Pose2D& pose)
+      : x(pose.x), y(pose.y), cosine(std::cos(pose.phi)), sine(std::sin(pose.phi)) {}
+
+  /// The point, given in the posed frame, in the frame that the pose is in.
+  [[nodiscard]] Point2D operator()(const Point2D& p) const {
+    return {cosine * p.x - sine * p.y + x, sine * p.x + cosine * p.y + y};
+  }
+
+  double x, y, cosine, sine;
+};
+
+/// The rigid transform that takes `from[i]` closest to `to[i]`, by least squares: pose of the frame
+/// of `from` in that of `to`. Always a rotation, never a mirror image. Throws std::invalid_argument
+/// on lists that are empty or of unequal length.
+[[nodiscard]] Pose2D fitRigid(const std::vector<Point2D>& from, const std::vector<Point2D>& to);
+
+}  // namespace sbox
