@@ -21,6 +21,11 @@ std::string_view trim(std::string_view text) {
 
 bool isBlank(char c) { return c == ' ' || c == '\t'; }
 
+/// Whether a value is a scalar on this line, rather than something nested, named or folded.
+bool startsScalar(std::string_view text) {
+  return std::string_view("[{&*!|>@`%").find(text[0]) == std::string_view::npos;
+}
+
 /// Takes scalars off the front of a line.
 class ScalarReader {
  public:
@@ -48,8 +53,9 @@ class ScalarReader {
            !(text[size] == '#' && size > 0 && isBlank(text[size - 1]))) {
       ++size;
     }
+    // Blanks stay, as they tell a comment from a "#" within a word.
     const std::string value(trim(text.substr(0, size)));
-    skip(size);
+    skip(value.size());
     return value;
   }
 
@@ -108,9 +114,11 @@ class Parser {
 
  private:
   void startValue(ScalarReader reader) {
+    const bool is_scalar = startsScalar(reader.rest());
     const std::string key = reader.scalar(":");
     const std::string_view rest = reader.rest();
-    if (key.empty() || rest.empty() || rest[0] != ':' || (rest.size() > 1 && !isBlank(rest[1]))) {
+    if (!is_scalar || key.empty() || rest.empty() || rest[0] != ':' ||
+        (rest.size() > 1 && !isBlank(rest[1]))) {
       throw std::invalid_argument("no \"key: value\"");
     }
     reader.skip(1);
@@ -129,7 +137,7 @@ class Parser {
       reader.skip(1);
       in_brackets_ = true;
       readItems(reader);
-    } else if (std::string_view("{&*!|>@`%").find(text[0]) != std::string_view::npos) {
+    } else if (!startsScalar(text)) {
       value_->kind = FlatYamlValue::Kind::Other;
     } else {
       value_->items.push_back(reader.scalar(""));

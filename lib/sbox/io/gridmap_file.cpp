@@ -78,11 +78,21 @@ std::optional<std::uint32_t> statedSize(const std::string& path, std::uint64_t f
 }
 
 /// Reads MRPT's options, which matter to its own SLAM only, to be sure that the file is whole.
-void checkRest(const std::string& path, std::uint64_t file_size, GzipReader& reader) {
-  Bytes rest(max_options_size);
-  const std::size_t size = reader.read(rest.data(), rest.size());
-  if (size == 0 || rest[size - 1] != end_flag) {
+void checkRest(const std::string& path, std::uint64_t file_size, int version, GzipReader& reader) {
+  Bytes options(max_options_size);
+  const std::size_t size = reader.read(options.data(), options.size());
+  if (size == 0 || options[size - 1] != end_flag) {
     throwTruncated(path);
+  }
+  // From version 6 on there is an object within the options, whose own flag must not be taken for
+  // the last one: two floats and a truth value lie between them.
+  constexpr std::size_t nested_flag = 2 * sizeof(float) + 1 + 2;
+  if (version >= 6 && (size < nested_flag || options[size - nested_flag] != end_flag)) {
+    throwTruncated(path);
+  }
+  // A wrong checksum comes to light only when there is no more to read.
+  if (reader.read(options.data(), options.size()) != 0) {
+    throw FileError(path, "is damaged: there is more in it than a grid map");
   }
   const std::optional<std::uint32_t> stated = statedSize(path, file_size);
   if (stated && *stated != static_cast<std::uint32_t>(reader.total())) {
@@ -101,11 +111,14 @@ class PlacedGrid : public Grid {
   }
 };
 
-/// Cells that MRPT's reader will count between two coordinates: it rounds each to whole cells.
-long countedCells(float min, float max, float resolution) {
-  const float low = resolution * static_cast<float>(std::lround(min / resolution));
-  const float high = resolution * static_cast<float>(std::lround(max / resolution));
-  return std::lround((high - low) / resolution);
+/// Cells that MRPT's reader will count between two coordinates, or 0 if it refuses them. It rounds
+/// both to whole cells, in floats.
+unsigned countedCells(float min, float max, float resolution) {
+  try {
+    return Grid(min, max, 0, resolution, resolution).getSizeX();
+  } catch (const std::exception&) {
+    return 0;
+  }
 }
 
 /// An upper coordinate with which MRPT's reader counts the cells right. Nothing but that count
@@ -113,13 +126,13 @@ long countedCells(float min, float max, float resolution) {
 float upperCoordinate(const std::string& path, float min, float resolution, int cells) {
   for (const double shift : {0.0, 0.25, -0.25}) {
     const auto max = static_cast<float>(min + (cells + shift) * static_cast<double>(resolution));
-    if (countedCells(min, max, resolution) == cells) {
+    if (countedCells(min, max, resolution) == static_cast<unsigned>(cells)) {
       return max;
     }
   }
   throw FileError(path,
-                  "the map lies too far from its frame's origin for a .gridmap file, which "
-                  "stores it in floats; write a .yaml instead");
+                  "the map lies too far from its frame's origin for a .gridmap file, which stores "
+                  "it in floats; write a .yaml instead");
 }
 
 void writeGridmap(const Map& map, const std::string& path) {
@@ -173,7 +186,7 @@ Map loadGridmap(const std::string& path) {
   if (reader.read(map.grid.getRow(0), cells) < cells) {
     throwTruncated(path);
   }
-  checkRest(path, file_size, reader);
+  checkRest(path, file_size, header.version, reader);
   return map;
 }
 

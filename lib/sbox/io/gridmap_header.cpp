@@ -58,8 +58,9 @@ bool isClassName(const std::string& name) {
   });
 }
 
-/// An object starts with its class name, the length of which has the top bit set, and a version.
-void checkClass(const std::string& path, Cursor& cursor) {
+/// An object starts with its class name, the length of which has the top bit set, and the version
+/// of the class, which is returned.
+int readClass(const std::string& path, Cursor& cursor) {
   const std::uint8_t length = cursor.byte();
   if ((length & 0x80) == 0) {
     throw FileError(path, "is not an MRPT grid map file");
@@ -76,6 +77,7 @@ void checkClass(const std::string& path, Cursor& cursor) {
     throw FileError(path, "has version " + std::to_string(version) +
                               " of MRPT's occupancy grid; versions 3 to 6 can be read");
   }
+  return version;
 }
 
 }  // namespace
@@ -88,12 +90,12 @@ std::size_t gridmapHeaderSize(std::uint8_t first_byte) {
 
 GridmapHeader readGridmapHeader(const std::string& path, const Bytes& header_bytes) {
   Cursor cursor(path, header_bytes);
-  checkClass(path, cursor);
+  GridmapHeader header;
+  header.version = readClass(path, cursor);
   if (const int bits = cursor.byte(); bits != 8) {
     throw FileError(path,
                     "has cells of " + std::to_string(bits) + " bits; only 8 bits can be read");
   }
-  GridmapHeader header;
   header.width = cursor.integer();
   header.height = cursor.integer();
   header.x_min = cursor.real();
@@ -108,9 +110,9 @@ GridmapHeader readGridmapHeader(const std::string& path, const Bytes& header_byt
       !std::isfinite(y_max)) {
     throw FileError(path, "has a position that is no number");
   }
-  // Far from zero the floats of a sound file can be several cells off.
+  // saveGridmap may be a quarter of a cell off; far from zero, floats are off by several.
   const auto contradicts = [&](double min, double max, std::uint32_t cells) {
-    const double tolerance = 1 + 1e-6 * (std::abs(min) + std::abs(max)) / header.resolution;
+    const double tolerance = 0.75 + 1e-6 * (std::abs(min) + std::abs(max)) / header.resolution;
     return std::abs((max - min) / header.resolution - cells) > tolerance;
   };
   if (contradicts(header.x_min, x_max, header.width) ||

@@ -12,6 +12,7 @@ namespace sbox {
 
 /// What a grid map file says before its cells.
 struct GridmapHeader {
+  int version = 0;           ///< Of MRPT's class.
   std::uint32_t width = 0;   ///< Cells in a row.
   std::uint32_t height = 0;  ///< Cells in a column.
   float x_min = 0;           ///< Lower-left corner of the grid, in metres.

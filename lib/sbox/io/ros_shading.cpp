@@ -6,6 +6,12 @@
 #include <cmath>
 
 namespace sbox {
+namespace {
+
+using Grid = mrpt::maps::COccupancyGridMap2D;
+using Cell = Grid::cellType;
+
+}  // namespace
 
 int rosOccupancy(double shade, const RosShading& shading) {
   if (shading.mode == RosMode::Raw) {
@@ -29,17 +35,24 @@ int rosOccupancy(double shade, const RosShading& shading) {
                                     (shading.occupied_thresh - shading.free_thresh) * 100));
 }
 
-mrpt::maps::COccupancyGridMap2D::cellType rosCell(int percent) {
+Cell rosCell(int percent) {
   if (percent == ros_unknown) {
     return 0;
   }
-  const float p_free = std::clamp(1 - static_cast<float>(percent) / 100, 0.01F, 0.99F);
-  return mrpt::maps::COccupancyGridMap2D::p2l(p_free);
+  const double p_free = std::clamp(1 - percent / 100.0, 0.01, 0.99);
+  // MRPT's own p2l reads a table of 256 steps and is off by several cells' values near 0 and 1.
+  int nearest = 0;
+  for (int value = -127; value <= 127; ++value) {
+    if (std::abs(Grid::l2p(static_cast<Cell>(value)) - p_free) <
+        std::abs(Grid::l2p(static_cast<Cell>(nearest)) - p_free)) {
+      nearest = value;
+    }
+  }
+  return static_cast<Cell>(nearest);
 }
 
-std::vector<mrpt::maps::COccupancyGridMap2D::cellType> rosCellTable(const RosShading& shading,
-                                                                    int channels) {
-  std::vector<mrpt::maps::COccupancyGridMap2D::cellType> table;
+std::vector<Cell> rosCellTable(const RosShading& shading, int channels) {
+  std::vector<Cell> table;
   for (int sum = 0; sum <= 255 * channels; ++sum) {
     table.push_back(rosCell(rosOccupancy(static_cast<double>(sum) / channels, shading)));
   }
