@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox-merge/arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <map>
+
+#include "sbox/config/config_file.h"
+#include "sbox/io/path_extension.h"
+
+namespace sbox::app {
+namespace {
+
+constexpr const char* description =
+    "Joins the 2D occupancy grid maps of several robots into one.\n"
+    "Maps: .gridmap, .gridmap.gz (MRPT), .yaml (ROS, with its image), .png or .pgm with\n"
+    "--resolution.";
+
+constexpr const char* footer =
+    "Exit codes: 0 every map is part of the merged map; 1 an input or output cannot be used;\n"
+    "2 wrong usage; 3 not every map could be placed with confidence (the report says why; of two\n"
+    "maps nothing is merged then).\n"
+    "Example: sbox-merge --in a.yaml b.yaml --out merged.yaml --report report.json --pictures why";
+
+/// What is read as text first: errors then say what is allowed in plain words.
+struct Texts {
+  std::string config;
+  std::string method;
+  std::string fusion;
+};
+
+const std::map<std::string, Method> methods{{"paper", Method::Paper}};
+const std::map<std::string, FusionRule> fusion_rules{{"logodds", FusionRule::LogOdds},
+                                                     {"table", FusionRule::Table}};
+
+/// The value that the word names, or `fallback` without a word.
+template <typename Value>
+Value chosen(const std::string& option, const std::string& word,
+             const std::map<std::string, Value>& values, Value fallback) {
+  if (word.empty()) {
+    return fallback;
+  }
+  const auto found = values.find(word);
+  if (found != values.end()) {
+    return found->second;
+  }
+  std::string allowed;
+  for (const auto& value : values) {
+    allowed += (allowed.empty() ? "" : " or ") + value.first;
+  }
+  throw UsageError(option + " must be " + allowed + ", not " + word);
+}
+
+void addFiles(CLI::App& app, Arguments& arguments) {
+  app.add_option("--in", arguments.inputs, "The maps to merge, two or more")->type_name("MAP");
+  app.add_option("--out", arguments.output,
+                 "The merged map: .gridmap, .gridmap.gz or .yaml; a .png is written beside it\n"
+                 "(default " +
+                     arguments.output + ")")
+      ->type_name("FILE");
+  app.add_option("--report", arguments.report, "Write what was found, and why, as JSON")
+      ->type_name("FILE");
+  app.add_option("--pictures", arguments.pictures,
+                 "Write pictures into this folder: features of each map, matched boxes, overlays,\n"
+                 "merged map; it is made if missing")
+      ->type_name("DIR");
+  app.add_option("--resolution", arguments.resolution,
+                 "Edge length of a cell of plain images, in metres (no default)")
+      ->type_name("M");
+}
+
+void addChoices(CLI::App& app, Arguments& arguments, Texts& texts) {
+  app.add_option("--reference", arguments.merge.reference,
+                 "Number of the map, from 0, whose frame the merged map takes\n"
+                 "(default: the first that is part of it)")
+      ->type_name("N");
+  app.add_flag("--all-groups", arguments.merge.all_groups,
+               "Write a merged map of each group of two or more, not only the largest");
+  app.add_option("--method", texts.method, "How pairs are matched (default paper)")
+      ->type_name("paper");
+  app.add_option("--fusion", texts.fusion,
+                 "How cells are joined: the paper's table, or the sum of log-odds\n"
+                 "(default logodds)")
+      ->type_name("table|logodds");
+  app.add_option("--config", texts.config,
+                 "Options of every stage, all optional; see --dump-config")
+      ->type_name("FILE.ini");
+  app.add_flag("--dump-config", arguments.dump_config,
+               "Print all options of every stage with units and values, and end");
+  app.add_option("--threads", arguments.merge.threads,
+                 "Threads to work on, 0: one a core (default 0)")
+      ->type_name("N");
+}
+
+void check(const Arguments& arguments) {
+  const auto count = static_cast<int>(arguments.inputs.size());
+  if (count < 2) {
+    throw UsageError("--in needs two maps or more");
+  }
+  const std::optional<int>& reference = arguments.merge.reference;
+  if (reference && (*reference < 0 || *reference >= count)) {
+    throw UsageError("--reference must be from 0 to " + std::to_string(count - 1) + ", not " +
+                     std::to_string(*reference));
+  }
+  constexpr int most_threads = 1024;
+  if (arguments.merge.threads < 0 || arguments.merge.threads > most_threads) {
+    throw UsageError("--threads must be from 0 to " + std::to_string(most_threads) + ", not " +
+                     std::to_string(arguments.merge.threads));
+  }
+  const std::string extension = pathExtension(arguments.output);
+  if (extension != ".gridmap" && extension != ".gridmap.gz" && extension != ".yaml" &&
+      extension != ".yml") {
+    throw UsageError("--out must end in .gridmap, .gridmap.gz or .yaml, not " + arguments.output);
+  }
+  if (arguments.resolution && !(*arguments.resolution > 0 && *arguments.resolution <= 1000)) {
+    throw UsageError("--resolution must be a positive number of metres");
+  }
+}
+
+std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+}  // namespace
+
+std::optional<Arguments> parseArguments(int argc, const char* const* argv) {
+  Arguments arguments;
+  Texts texts;
+  CLI::App app(description, "sbox-merge");
+  app.footer(footer);
+  app.get_formatter()->column_width(22);
+  addFiles(app, arguments);
+  addChoices(app, arguments, texts);
+  app.add_flag("-v,--verbose", arguments.verbose, "Tell what each stage found, on stderr");
+  app.add_flag("-q,--quiet", arguments.quiet, "Tell nothing but errors");
+  app.set_version_flag("--version", "sbox-merge " SBOX_VERSION);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& done) {
+    app.exit(done, std::cout, std::cerr);
+    return std::nullopt;
+  } catch (const CLI::ParseError& error) {
+    throw UsageError(firstLine(error.what()));
+  }
+  if (!texts.config.empty()) {
+    loadConfig(texts.config, arguments.merge);
+  }
+  arguments.merge.method = chosen("--method", texts.method, methods, arguments.merge.method);
+  arguments.merge.fusion.rule =
+      chosen("--fusion", texts.fusion, fusion_rules, arguments.merge.fusion.rule);
+  if (!arguments.dump_config) {
+    check(arguments);
+  }
+  return arguments;
+}
+
+}  // namespace sbox::app

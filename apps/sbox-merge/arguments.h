@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "sbox/merge.h"
+
+namespace sbox::app {
+
+/// What the user asked for.
+struct Arguments {
+  std::vector<std::string> inputs;
+  std::string output = "merged.gridmap";
+  std::string report;                ///< Empty: none.
+  std::string pictures;              ///< Folder; empty: none.
+  std::optional<double> resolution;  ///< Of plain images, metres a cell.
+  MergeOptions merge;                ///< With what --config and the other options say.
+  bool dump_config = false;
+  bool verbose = false;
+  bool quiet = false;
+};
+
+/// Wrong usage. what() is one line.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Reads the command line, and the file that --config names. Nothing if all has been said already
+/// (--help, --version). Throws UsageError, and FileError if the configuration cannot be used.
+[[nodiscard]] std::optional<Arguments> parseArguments(int argc, const char* const* argv);
+
+}  // namespace sbox::app

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox-merge/write_outputs.h"
+
+#include <filesystem>
+
+#include "sbox-merge/interrupt.h"
+#include "sbox-merge/output_names.h"
+#include "sbox/io/file_bytes.h"
+#include "sbox/io/file_error.h"
+#include "sbox/io/output_files.h"
+#include "sbox/io/save_map.h"
+#include "sbox/report/pictures.h"
+#include "sbox/report/report_json.h"
+#include "sbox/stopwatch.h"
+
+namespace sbox::app {
+namespace fs = std::filesystem;
+namespace {
+
+void stageBytes(OutputFiles& files, const std::string& target, const Bytes& bytes) {
+  const std::string temporary = files.stage(target);
+  try {
+    writeFile(temporary, bytes);
+  } catch (const FileError& error) {
+    throw FileError(target, error.reason());
+  }
+}
+
+/// A folder that goes again, if it is empty, unless keep() is called.
+class NewFolder {
+ public:
+  explicit NewFolder(const std::string& path) : path_(path) {
+    std::error_code error;
+    made_ = fs::create_directories(path, error);
+    if (error || !fs::is_directory(path)) {
+      throw FileError(path, "cannot be made a folder for the pictures: " +
+                                (error ? error.message() : "it is a file"));
+    }
+  }
+  NewFolder(const NewFolder&) = delete;
+  NewFolder& operator=(const NewFolder&) = delete;
+  ~NewFolder() {
+    std::error_code ignored;
+    if (made_) {
+      fs::remove(path_, ignored);
+    }
+  }
+  void keep() { made_ = false; }
+
+ private:
+  std::string path_;
+  bool made_ = false;
+};
+
+}  // namespace
+
+void checkOutputs(const Arguments& arguments) {
+  OutputFiles trial;
+  (void)trial.stage(arguments.output);
+  (void)trial.stage(pictureBeside(arguments.output));
+  if (!arguments.report.empty()) {
+    (void)trial.stage(arguments.report);
+  }
+  std::error_code ignored;
+  if (!arguments.pictures.empty() && fs::exists(arguments.pictures, ignored)) {
+    if (!fs::is_directory(arguments.pictures, ignored)) {
+      throw FileError(arguments.pictures, "cannot hold pictures: it is not a folder");
+    }
+    (void)trial.stage((fs::path(arguments.pictures) / "features.png").string());
+  }
+}
+
+std::vector<std::string> writeOutputs(const std::vector<Map>& maps, const Arguments& arguments,
+                                      MergeResult& result, double seconds_before,
+                                      const ProgressFunction& tell) {
+  const Stopwatch stopwatch;
+  std::vector<std::string> map_files = mergedFileNames(result, arguments.output);
+  std::optional<NewFolder> folder;
+  if (!arguments.pictures.empty()) {
+    folder.emplace(arguments.pictures);
+  }
+  OutputFiles files;
+  for (size_t i = 0; i < map_files.size(); ++i) {
+    saveMap(result.merged[i].map, map_files[i], files);
+    saveMap(result.merged[i].map, pictureBeside(map_files[i]), files);
+    checkInterrupt();
+  }
+  if (folder) {
+    for (const Picture& picture : drawPictures(maps, result, arguments.merge.threads, tell)) {
+      stageBytes(files, pictureInFolder(arguments.pictures, picture.file_name, map_files),
+                 picture.png);
+      checkInterrupt();
+    }
+  }
+  result.seconds.save = stopwatch.seconds();
+  result.seconds.total = seconds_before + result.seconds.save;
+  if (!arguments.report.empty()) {
+    const std::string report = reportJson(result, map_files);
+    stageBytes(files, arguments.report, Bytes(report.begin(), report.end()));
+  }
+  checkInterrupt();
+  files.commit();
+  if (folder) {
+    folder->keep();
+  }
+  return map_files;
+}
+
+}  // namespace sbox::app

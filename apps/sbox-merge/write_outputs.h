@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sbox-merge/arguments.h"
+#include "sbox/core/map.h"
+#include "sbox/merge_result.h"
+#include "sbox/progress.h"
+
+namespace sbox::app {
+
+/// Throws FileError if it is plain now that an output cannot be written; writes nothing.
+void checkOutputs(const Arguments& arguments);
+
+/// Writes merged maps, pictures and report, all or none. `seconds_before` went by already; they and
+/// the time taken here are added to result.seconds.
+/// Returns the names of the merged maps, in the order of result.merged. Throws FileError.
+std::vector<std::string> writeOutputs(const std::vector<Map>& maps, const Arguments& arguments,
+                                      MergeResult& result, double seconds_before,
+                                      const ProgressFunction& tell);
+
+}  // namespace sbox::app

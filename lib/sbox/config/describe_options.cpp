@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox/config/describe_options.h"
+
+#include "sbox/config/describe_paper.h"
+#include "sbox/config/describe_states.h"
+
+namespace sbox {
+
+OptionTable describeOptions(MergeOptions& options) {
+  OptionTable table;
+  table.section("merge");
+  table.choice<Method>("method", options.method, {{"paper", Method::Paper}},
+                       "How pairs of maps are matched");
+  describe(options.paper, table);
+
+  table.section("placement");
+  table.number("min_confidence", options.placement.min_confidence, {0, 1},
+               "Accepted pairs below this confidence join nothing");
+
+  table.section("fusion");
+  table.choice<FusionRule>("rule", options.fusion.rule,
+                           {{"table", FusionRule::Table}, {"logodds", FusionRule::LogOdds}},
+                           "The paper's table, or the sum of log-odds");
+  table.number("max_cells", options.fusion.max_cells, {1, 1e10},
+               "A merged map with more cells is refused");
+  describeStates("fusion.cells", options.fusion.states, table);
+  return table;
+}
+
+}  // namespace sbox

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From maps to merged map: the whole method as one function.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "sbox/core/map.h"
+#include "sbox/fusion/fuse_maps.h"
+#include "sbox/merge_result.h"
+#include "sbox/paper/paper_method.h"
+#include "sbox/placement/place_maps.h"
+#include "sbox/progress.h"
+
+namespace sbox {
+
+/// How pairs of maps are matched.
+enum class Method {
+  Paper  ///< The published method as it is printed; see paper_method.h.
+};
+
+struct MergeOptions {
+  Method method = Method::Paper;
+  PaperOptions paper;
+  PlacementOptions placement;
+  FusionOptions fusion;          ///< Its `threads` is replaced by the one below.
+  std::optional<int> reference;  ///< Index of the map whose frame the merged map takes, if it can.
+  bool all_groups = false;       ///< Merge every group of two or more, not only the largest.
+  int threads = 0;               ///< 0: one a core. Changes nothing but the time.
+};
+
+/// Merges the maps that belong together. The merged map is that of the largest group, in the frame
+/// of options.reference where that is a member, else of the group's first map. Maps are named by
+/// their `name`. Throws std::invalid_argument with less than two maps or a reference that is not
+/// one of them, and std::length_error if a merged map would be too large (see FusionOptions).
+[[nodiscard]] MergeResult mergeMaps(const std::vector<Map>& maps, const MergeOptions& options = {},
+                                    const ProgressFunction& progress = {});
+
+}  // namespace sbox

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Wrong usage and unusable files: exit codes 2 and 1, one line on stderr, nothing written.
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "apps/check_contains.h"
+#include "apps/command.h"
+#include "apps/office.h"
+#include "catch.h"
+#include "sbox/io/save_map.h"
+
+using namespace sbox;
+using namespace sbox::test;
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+namespace {
+
+void write(const fs::path& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+/// The command must fail so and leave the folder as it is.
+void checkFailure(const ScratchFolder& folder, const Words& arguments, int exit_code,
+                  const std::string& message) {
+  std::string call;
+  for (const std::string& argument : arguments) {
+    call += " " + argument;
+  }
+  INFO("sbox-merge" << call);
+  const Words before = listing(folder.path());
+  const Outcome outcome = runMerge(folder.path(), arguments);
+  CHECK(outcome.exit_code == exit_code);
+  CHECK(outcome.out.empty());
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  CHECK(outcome.err.rfind("sbox-merge: ", 0) == 0);
+  checkContains(outcome.err, message);
+  CHECK(listing(folder.path()) == before);
+}
+
+}  // namespace
+
+TEST_CASE("help and version go to stdout") {
+  const ScratchFolder folder;
+  const Outcome help = runMerge(folder.path(), {"--help"});
+  CHECK(help.exit_code == 0);
+  CHECK(help.err.empty());
+  for (const char* option :
+       {"--in", "--out", "--report", "--pictures", "--reference", "--all-groups", "--method",
+        "--fusion", "--config", "--threads", "--resolution", "--quiet", "--verbose", "--version"}) {
+    checkContains(help.out, option);
+  }
+  const Outcome version = runMerge(folder.path(), {"--version"});
+  CHECK(version.exit_code == 0);
+  checkContains(version.out, "sbox-merge " SBOX_VERSION);
+}
+
+TEST_CASE("wrong usage ends in 2 and says what is wrong") {
+  const ScratchFolder folder;
+  saveMap(office("a", 1), folder / "a.gridmap");
+  checkFailure(folder, {}, 2, "--in needs two maps or more");
+  checkFailure(folder, {"--in", "a.gridmap"}, 2, "--in needs two maps or more");
+  checkFailure(folder, {"--in"}, 2, "--in");
+  checkFailure(folder, {"--frobnicate"}, 2, "--frobnicate");
+  const Words in{"--in", "a.gridmap", "a.gridmap"};
+  const auto with = [&](const Words& more) {
+    Words all = in;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  checkFailure(folder, with({"--reference", "2"}), 2, "--reference must be from 0 to 1, not 2");
+  checkFailure(folder, with({"--reference", "-1"}), 2, "--reference");
+  checkFailure(folder, with({"--reference", "x"}), 2, "--reference");
+  checkFailure(folder, with({"--threads", "-1"}), 2, "--threads must be from 0 to 1024, not -1");
+  checkFailure(folder, with({"--method", "guess"}), 2, "--method must be");
+  checkFailure(folder, with({"--fusion", "max"}), 2, "--fusion must be logodds or table, not max");
+  checkFailure(folder, with({"--out", "m.jpg"}), 2, "--out must end in");
+  checkFailure(folder, with({"--resolution", "0"}), 2, "--resolution must be");
+  checkFailure(folder, with({"--resolution", "nan"}), 2, "--resolution must be");
+}
+
+TEST_CASE("a map that cannot be used ends in 1 and is named") {
+  const ScratchFolder folder;
+  saveMap(office("a", 1), folder / "a.gridmap");
+  const auto with = [](const std::string& name) { return Words{"--in", "a.gridmap", name}; };
+  checkFailure(folder, with("missing.gridmap"), 1, "missing.gridmap: ");
+  write(folder / "empty.gridmap", "");
+  checkFailure(folder, with("empty.gridmap"), 1, "empty.gridmap: ");
+  const std::string whole = contents(folder / "a.gridmap");
+  write(folder / "half.gridmap", whole.substr(0, whole.size() / 2));
+  checkFailure(folder, with("half.gridmap"), 1, "half.gridmap: ");
+  write(folder / "noise.yaml", "\x01\xff{[: noise");
+  checkFailure(folder, with("noise.yaml"), 1, "noise.yaml: ");
+  write(folder / "map.xyz", "?");
+  checkFailure(folder, with("map.xyz"), 1, "map.xyz: ");
+  fs::create_directory(folder / "folder.gridmap");
+  checkFailure(folder, with("folder.gridmap"), 1, "folder.gridmap: ");
+  saveMap(makeMap("blank", 30, 30, 0.05), folder / "blank.gridmap");
+  checkFailure(folder, with("blank.gridmap"), 1, "blank.gridmap: has no occupied cell");
+  Map dot = makeMap("dot", 1, 1, 0.05);
+  dot.grid.setCell(0, 0, 0);
+  saveMap(dot, folder / "dot.gridmap");
+  checkFailure(folder, with("dot.gridmap"), 1, "dot.gridmap: is too small to match");
+  saveMap(office("a", 1), folder / "plain.png");
+  checkFailure(folder, with("plain.png"), 1, "plain.png: ");
+}
+
+TEST_CASE("an output that cannot be written ends in 1 and leaves the others unwritten") {
+  const ScratchFolder folder;
+  saveMap(office("a", 1), folder / "a.gridmap");
+  const auto with = [](const Words& more) {
+    Words all{"--in", "a.gridmap", "a.gridmap"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  checkFailure(folder, with({"--out", "nowhere/m.gridmap"}), 1, "nowhere/m.gridmap: ");
+  checkFailure(folder, with({"--report", "nowhere/r.json"}), 1, "nowhere/r.json: ");
+  checkFailure(folder, with({"--pictures", "a.gridmap"}), 1, "a.gridmap: ");
+  checkFailure(folder, with({"--pictures", "a.gridmap/sub"}), 1, "a.gridmap/sub: ");
+  checkFailure(folder, with({"--report", "merged.gridmap"}), 1, "merged.gridmap: ");
+  fs::create_directory(folder / "merged.png");
+  checkFailure(folder, with({}), 1, "merged.png: ");
+}
+
+TEST_CASE("a folder without the right to write ends in 1") {
+  if (geteuid() == 0) {
+    WARN("skipped: root may write everywhere");
+    return;
+  }
+  const ScratchFolder folder;
+  saveMap(office("a", 1), folder / "a.gridmap");
+  fs::create_directory(folder / "locked");
+  fs::permissions(folder / "locked", fs::perms::owner_read | fs::perms::owner_exec);
+  checkFailure(folder, {"--in", "a.gridmap", "a.gridmap", "--out", "locked/m.gridmap"}, 1,
+               "locked/m.gridmap: ");
+}
+
+TEST_CASE("a configuration that cannot be used ends in 1 and names file, line and key") {
+  const ScratchFolder folder;
+  saveMap(office("a", 1), folder / "a.gridmap");
+  const Words call{"--in", "a.gridmap", "a.gridmap", "--config", "c.ini"};
+  checkFailure(folder, call, 1, "c.ini: ");
+  write(folder / "c.ini", "[fusion]\nrool = table\n");
+  checkFailure(folder, call, 1, "c.ini: line 2: there is no option [fusion] rool");
+  write(folder / "c.ini", "[fussion]\nrule = table\n");
+  checkFailure(folder, call, 1, "c.ini: line 2: there is no section [fussion]");
+  write(folder / "c.ini", "[paper.lines]\nrho_step = 0\n");
+  checkFailure(folder, call, 1, "c.ini: line 2: [paper.lines] rho_step must be a number from");
+  write(folder / "c.ini", std::string(2 << 20, '#'));
+  checkFailure(folder, call, 1, "c.ini: ");
+}
