@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// sbox-dataset: makes map pairs with known truth, from a simulated world or from a real log.
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "sbox-dataset/drive.h"
+#include "sbox-dataset/logged_runs.h"
+#include "sbox-dataset/world.h"
+#include "sbox-dataset/write_dataset.h"
+
+namespace {
+
+using namespace sbox::dataset;
+using sbox::Pose2D;
+
+struct SimulateArguments {
+  std::string world;
+  std::vector<std::string> paths;
+  std::uint32_t seed = 1;
+};
+
+struct CutArguments {
+  std::string rawlog;
+  size_t first = 0;
+  size_t count = 0;
+  std::string out;
+};
+
+struct LogArguments {
+  std::string rawlog;
+  std::string poses;
+  std::vector<std::tuple<std::string, size_t, std::string>> parts;
+};
+
+struct OutputArguments {
+  std::string folder;
+  std::string environment;
+};
+
+std::vector<NamedRun> simulate(const SimulateArguments& arguments) {
+  const World world = loadWorld(arguments.world);
+  std::vector<NamedRun> runs;
+  for (const std::string& path : arguments.paths) {
+    DriveOptions options;
+    options.seed = arguments.seed + static_cast<std::uint32_t>(runs.size());
+    runs.push_back(
+        {std::filesystem::path(path).stem().string(), drive(world, loadPath(path), options)});
+  }
+  return runs;
+}
+
+std::vector<NamedRun> runsOfLog(const LogArguments& arguments) {
+  const ScanLog log(arguments.rawlog);
+  const std::vector<Pose2D> poses_in_world = loadPoses(arguments.poses);
+  std::vector<NamedRun> runs;
+  for (const auto& [name, first, path] : arguments.parts) {
+    runs.push_back({name, cutRun(log, poses_in_world, first, loadPoses(path))});
+  }
+  return runs;
+}
+
+void addOutput(CLI::App* command, OutputArguments& output) {
+  command->add_option("--out", output.folder, "Folder to write into")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  command->add_option("--environment", output.environment, "What pairs.json calls the place")
+      ->required();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Makes map pairs with known truth");
+  app.require_subcommand(1);
+  OutputArguments output;
+
+  SimulateArguments simulated;
+  CLI::App* simulate_command = app.add_subcommand("simulate", "Map a world with simulated robots");
+  simulate_command->add_option("--world", simulated.world, "Walls, a text file")->required();
+  simulate_command->add_option("--path", simulated.paths, "A robot's path, a text file; repeat")
+      ->required();
+  simulate_command->add_option("--seed", simulated.seed, "Seed of all noise");
+  addOutput(simulate_command, output);
+
+  CutArguments cut;
+  CLI::App* cut_command = app.add_subcommand("cut", "Cut scans out of a log, for a SLAM to map");
+  cut_command->add_option("--rawlog", cut.rawlog, "The whole log")->required();
+  cut_command->add_option("--first", cut.first, "First scan, from 0")->required();
+  cut_command->add_option("--count", cut.count, "Number of scans")->required();
+  cut_command->add_option("--out", cut.out, "The part, a rawlog")->required();
+
+  LogArguments logged;
+  CLI::App* log_command = app.add_subcommand("log", "Map parts of a log by the poses of a SLAM");
+  log_command->add_option("--rawlog", logged.rawlog, "The whole log")->required();
+  log_command->add_option("--poses", logged.poses, "Poses of the whole log's scans")->required();
+  log_command->add_option("--part", logged.parts, "NAME, first scan, poses of the part; repeat")
+      ->required();
+  addOutput(log_command, output);
+  CLI11_PARSE(app, argc, argv);
+
+  try {
+    if (*cut_command) {
+      ScanLog(cut.rawlog).save(cut.first, cut.count, cut.out);
+    } else {
+      writeDataset(output.folder, output.environment,
+                   *simulate_command ? simulate(simulated) : runsOfLog(logged));
+    }
+  } catch (const std::exception& error) {
+    std::cerr << "sbox-dataset: " << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What a robot did: where it was, where it thought it was, and what its lidar saw.
+#pragma once
+
+#include <mrpt/obs/CObservation2DRangeScan.h>
+
+#include <vector>
+
+#include "sbox/core/map.h"
+
+namespace sbox::dataset {
+
+struct RunStep {
+  Pose2D pose_in_world;  ///< Where the robot is: the truth, or the best that is known of it.
+  Pose2D pose_in_map;    ///< Where the robot's own SLAM or odometry puts it.
+  mrpt::obs::CObservation2DRangeScan scan;
+};
+
+using Run = std::vector<RunStep>;
+
+struct MappingOptions {
+  double resolution = 0.05;  ///< Edge length of a cell, in metres.
+  double max_range = 15;     ///< How far a beam changes cells, in metres.
+  double certainty = 0.65;   ///< Probability that one beam says of a cell, in (0.5, 1).
+};
+
+/// The grid that MRPT's log-odds mapping makes of the scans at the robot's own poses, cropped to
+/// the cells it knows.
+[[nodiscard]] Map mapRun(const std::string& name, const Run& run,
+                         const MappingOptions& options = {});
+
+}  // namespace sbox::dataset

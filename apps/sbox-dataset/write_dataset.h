@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sbox-dataset/run.h"
+
+namespace sbox::dataset {
+
+struct NamedRun {
+  std::string name;
+  Run steps;
+};
+
+/// Maps every run and writes into an existing folder: NAME.gridmap.gz and the picture NAME.png for
+/// each, and pairs.json with the truth of each two runs that saw a common place. Throws
+/// std::runtime_error naming the file that cannot be written.
+void writeDataset(const std::string& folder, const std::string& environment,
+                  const std::vector<NamedRun>& runs, const MappingOptions& mapping = {});
+
+}  // namespace sbox::dataset
