@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sbox/paper/agreement.h"
-
 #include <cmath>
 #include <map>
 
 #include "catch.h"
 #include "paper/box_worlds.h"
+#include "sbox/paper/agreement.h"
 
 using namespace sbox;
 

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sbox/paper/best_pair.h"
-
 #include <cmath>
 
 #include "catch.h"
 #include "paper/box_worlds.h"
+#include "sbox/paper/best_pair.h"
 
 using namespace sbox;
 

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sbox/paper/boxes.h"
-
 #include <cmath>
 #include <random>
 #include <set>
 
 #include "catch.h"
+#include "sbox/paper/boxes.h"
 
 using namespace sbox;
 
@@ -55,7 +54,9 @@ size_t countByAlgorithm1(const std::vector<VerticalPoint>& p) {
     return i != j && (p[i].line1 == line || p[i].line2 == line) &&
            (p[j].line1 == line || p[j].line2 == line);
   };
-  const auto other = [&](size_t i, int line) { return p[i].line1 == line ? p[i].line2 : p[i].line1; };
+  const auto other = [&](size_t i, int line) {
+    return p[i].line1 == line ? p[i].line2 : p[i].line1;
+  };
   for (size_t i = 0; i < p.size(); ++i) {
     for (size_t j1 = 0; j1 < p.size(); ++j1) {
       for (size_t j2 = 0; j2 < p.size(); ++j2) {

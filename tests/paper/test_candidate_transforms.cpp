@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sbox/paper/candidate_transforms.h"
-
 #include <cmath>
 
 #include "catch.h"
 #include "paper/box_worlds.h"
 #include "sbox/paper/agreement.h"
+#include "sbox/paper/candidate_transforms.h"
 
 using namespace sbox;
 

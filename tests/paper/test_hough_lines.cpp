@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sbox/paper/hough_lines.h"
-
 #include <cmath>
 
 #include "catch.h"
 #include "paper/paper_drawing.h"
+#include "sbox/paper/hough_lines.h"
 
 using namespace sbox;
 using test::drawWall;
@@ -27,7 +26,8 @@ double distanceToLine(const HoughLine& line, const Point2D& p) {
 }  // namespace
 
 TEST_CASE("walls become lines, the longest first", "[paper]") {
-  const auto lines = findHoughLines(drawn({{{1.02, 3.02}, {6.02, 3.02}}, {{2.02, 1.02}, {2.02, 7.02}}}));
+  const auto lines =
+      findHoughLines(drawn({{{1.02, 3.02}, {6.02, 3.02}}, {{2.02, 1.02}, {2.02, 7.02}}}));
   REQUIRE(lines.size() == 2);
   CHECK(lines[0].theta == Approx(0).margin(0.02));
   CHECK(lines[0].rho == Approx(2.02).margin(0.05));

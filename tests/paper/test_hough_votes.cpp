@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sbox/paper/hough_votes.h"
-
 #include <cmath>
 #include <random>
 
 #include "catch.h"
 #include "paper/paper_drawing.h"
+#include "sbox/paper/hough_votes.h"
 
 using namespace sbox;
 

@@ -1,19 +1,18 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sbox/paper/kalman_step.h"
-
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "catch.h"
 #include "paper/paper_drawing.h"
+#include "sbox/paper/kalman_step.h"
 
 using namespace sbox;
 
 namespace {
 
-/// Box b is 0.4 m longer along its first side and 0.2 m shorter along its second than box a, and one
-/// corner is off; it stands at `angle` to the axes of map b.
+/// Box b is 0.4 m longer along its first side and 0.2 m shorter along its second than box a, and
+/// one corner is off; it stands at `angle` to the axes of map b.
 MatchedBoxes unequalBoxes(double angle) {
   MatchedBoxes boxes;
   boxes.corners_a = {{{0, 0}, {6, 0}, {6, 4}, {0, 4}}};
@@ -145,7 +144,9 @@ TEST_CASE("the covariance grows away from the box", "[paper]") {
     corner = corner + Point2D(100, 0);
   }
   const auto spread = [&](const MatchedBoxes& boxes) {
-    return refineByKalman(grid, grid, boxes, fitOfThree(boxes, 0)).covariance.topLeftCorner<2, 2>().trace();
+    return refineByKalman(grid, grid, boxes, fitOfThree(boxes, 0))
+        .covariance.topLeftCorner<2, 2>()
+        .trace();
   };
   CHECK(spread(far) > 10 * spread(near));
 }

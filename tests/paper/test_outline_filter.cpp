@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sbox/paper/outline_filter.h"
-
 #include "catch.h"
 #include "paper/paper_drawing.h"
+#include "sbox/paper/outline_filter.h"
 
 using namespace sbox;
 

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sbox/paper/paper_method.h"
-
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "catch.h"
 #include "paper/paper_drawing.h"
+#include "sbox/paper/paper_method.h"
 
 using namespace sbox;
 using test::drawMap;

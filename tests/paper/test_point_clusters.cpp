@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sbox/paper/point_clusters.h"
-
 #include <random>
 
 #include "catch.h"
+#include "sbox/paper/point_clusters.h"
 
 using namespace sbox;
 

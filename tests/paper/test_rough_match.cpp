@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sbox/paper/rough_match.h"
-
 #include "catch.h"
+#include "sbox/paper/rough_match.h"
 
 using namespace sbox;
 

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sbox/paper/transform.h"
-
 #include "catch.h"
+#include "sbox/paper/transform.h"
 
 using namespace sbox;
 
@@ -15,8 +14,8 @@ TEST_CASE("a transform composes points as its pose does", "[paper]") {
 
 TEST_CASE("the rigid fit finds the pose behind exact points", "[paper]") {
   const std::vector<Point2D> from = {{0, 0}, {4, 0}, {4, 3}, {-7, 12}};
-  for (const Pose2D& pose : {Pose2D(0, 0, 0), Pose2D(5, -3, 0), Pose2D(0, 0, 2.8),
-                             Pose2D(-100, 40, -1.9)}) {
+  for (const Pose2D& pose :
+       {Pose2D(0, 0, 0), Pose2D(5, -3, 0), Pose2D(0, 0, 2.8), Pose2D(-100, 40, -1.9)}) {
     std::vector<Point2D> to;
     for (const Point2D& p : from) {
       to.push_back(pose.composePoint(p));
@@ -29,7 +28,8 @@ TEST_CASE("the rigid fit finds the pose behind exact points", "[paper]") {
 }
 
 TEST_CASE("no other rigid transform fits noisy points better", "[paper]") {
-  const std::vector<Point2D> from = {{0, 0}, {4, 0}, {4, 3}}, to = {{1, 1}, {1.2, 5.3}, {-2.1, 4.8}};
+  const std::vector<Point2D> from = {{0, 0}, {4, 0}, {4, 3}},
+                             to = {{1, 1}, {1.2, 5.3}, {-2.1, 4.8}};
   const auto cost = [&](const Pose2D& pose) {
     double sum = 0;
     for (size_t i = 0; i < from.size(); ++i) {

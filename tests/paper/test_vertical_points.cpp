@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sbox/paper/vertical_points.h"
-
 #include <cmath>
 
 #include "catch.h"
+#include "sbox/paper/vertical_points.h"
 
 using namespace sbox;
 

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sbox/paper/wall_stretches.h"
-
 #include <cmath>
 
 #include "catch.h"
 #include "paper/paper_drawing.h"
+#include "sbox/paper/wall_stretches.h"
 
 using namespace sbox;
 

@@ -11,7 +11,6 @@ namespace {
 
 constexpr int kMostTiles = 512;  // A side; more would cost memory and find nothing faster.
 
-
 double squaredDistance(const Point2D& p, const Point2D& q) {
   return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y);
 }
@@ -30,8 +29,8 @@ double largestCornerDistance(const SuppositionalBox& box_a, const SuppositionalB
   }
   double largest = nearest;
   for (size_t i = 1; i < 4; ++i) {
-    largest = std::max(
-        largest, squaredDistance(to_b(box_a.corners[i]), box_b.corners[(i + shift) % 4]));
+    largest =
+        std::max(largest, squaredDistance(to_b(box_a.corners[i]), box_b.corners[(i + shift) % 4]));
   }
   return std::sqrt(largest);
 }

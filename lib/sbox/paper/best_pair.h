@@ -13,7 +13,8 @@ namespace sbox {
 
 struct BestPairOptions {
   int min_agreeing = 8;  ///< Agreeing matches that make a transform a candidate.
-  double least_distance = 0.05;  ///< The sum in eq. 5 counts as no less, metres: a perfect fit is 0.
+  double least_distance =
+      0.05;  ///< The sum in eq. 5 counts as no less, metres: a perfect fit is 0.
   RoughMatchOptions rough_match;
   AgreementOptions agreement;
 };
@@ -32,8 +33,9 @@ struct BestPair {
 [[nodiscard]] double score(const SuppositionalBox& box_a, const SuppositionalBox& box_b,
                            const Agreement& agreement, double least_distance);
 
-/// The candidate with the best score; where no transform has enough agreement, the one with the most
-/// (then the best score), so that a refusal can be explained. Nothing if no boxes match even roughly.
+/// The candidate with the best score; where no transform has enough agreement, the one with the
+/// most (then the best score), so that a refusal can be explained. Nothing if no boxes match even
+/// roughly.
 [[nodiscard]] std::optional<BestPair> findBestPair(const std::vector<SuppositionalBox>& boxes_a,
                                                    const std::vector<SuppositionalBox>& boxes_b,
                                                    const BestPairOptions& options = {});

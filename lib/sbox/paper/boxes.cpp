@@ -135,8 +135,7 @@ std::vector<SuppositionalBox> buildBoxes(const std::vector<VerticalPoint>& point
                                          const std::vector<PointCluster>& clusters,
                                          const BoxOptions& options) {
   std::vector<SuppositionalBox> boxes;
-  for (const ClusterLoop& loop :
-       findLoops(CrossingTable(points, clusters), clusters, options)) {
+  for (const ClusterLoop& loop : findLoops(CrossingTable(points, clusters), clusters, options)) {
     boxes.push_back(describeBox(cornersOf(loop, clusters)));
   }
   std::stable_sort(

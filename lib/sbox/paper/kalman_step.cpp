@@ -16,7 +16,9 @@ Point2D meanOf(const std::array<Point2D, 4>& points) {
 
 /// Length of the box along the direction of its side from corner 0 to 1: the mean of two sides.
 double lengthAlong(const std::array<Point2D, 4>& z, size_t from) {
-  const auto side = [&](size_t i, size_t j) { return std::hypot(z[j].x - z[i].x, z[j].y - z[i].y); };
+  const auto side = [&](size_t i, size_t j) {
+    return std::hypot(z[j].x - z[i].x, z[j].y - z[i].y);
+  };
   return 0.5 * (side(from, from + 1) + side((from + 2) % 4, (from + 3) % 4));
 }
 
@@ -32,7 +34,8 @@ Eigen::Matrix2d observationCovariance(const MatchedBoxes& boxes) {
   return axes * Eigen::Vector2d(dw * dw, dh * dh).asDiagonal() * axes.transpose();
 }
 
-/// Eq. 13. Where neither prediction nor observation is uncertain they agree, and any weight will do.
+/// Eq. 13. Where neither prediction nor observation is uncertain they agree, and any weight will
+/// do.
 Eigen::Matrix2d predictionWeight(const Eigen::Matrix2d& r, const Eigen::Matrix2d& p) {
   const Eigen::Matrix2d sum = r + p;
   const double scale = sum.trace();

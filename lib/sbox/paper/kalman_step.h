@@ -68,9 +68,9 @@ struct KalmanResult {
 };
 
 /// Runs the step for each known cell of map a, rounds its estimate to a cell of map b, and fits a
-/// rigid transform to all of them. The covariance joins that of the estimate at the box's centre, the
-/// spread of the headings of Ta to Td and the rounding; as it knows of one pair of boxes only, it is
-/// too small where maps are bent.
+/// rigid transform to all of them. The covariance joins that of the estimate at the box's centre,
+/// the spread of the headings of Ta to Td and the rounding; as it knows of one pair of boxes only,
+/// it is too small where maps are bent.
 [[nodiscard]] KalmanResult refineByKalman(const StateGrid& grid_a, const StateGrid& grid_b,
                                           const MatchedBoxes& boxes, const Pose2D& pose_a_in_b);
 

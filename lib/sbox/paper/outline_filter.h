@@ -15,8 +15,8 @@ struct OutlineOptions {
   double reach = 1.0;  ///< How far to walk from the point in each of the four directions, metres.
 };
 
-/// Whether a walk from the point (grid frame, metres) along the rows and columns of the grid meets a
-/// cell of another state than the point's own within the reach. Outside the grid all is unknown.
+/// Whether a walk from the point (grid frame, metres) along the rows and columns of the grid meets
+/// a cell of another state than the point's own within the reach. Outside the grid all is unknown.
 [[nodiscard]] bool nearOutline(const StateGrid& grid, const Point2D& point,
                                const OutlineOptions& options = {});
 

@@ -58,8 +58,7 @@ PoseCovariance poseCovariance(const PaperFeatures& a, const PaperFeatures& b,
   lever(1, 2) = b_in_grid_a.x - grid_b_in_grid_a.x;
   // Axes of grid a to those of map a.
   PoseCovariance turn = PoseCovariance::Identity();
-  turn.topLeftCorner<2, 2>() =
-      Eigen::Rotation2Dd(a.states.corner_in_map.phi).toRotationMatrix();
+  turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(a.states.corner_in_map.phi).toRotationMatrix();
   const PoseCovariance jacobian = turn * lever;
   return jacobian * in_grids * jacobian.transpose();
 }
@@ -105,11 +104,11 @@ PairResult matchEqualCells(const PaperFeatures& a, const PaperFeatures& b,
   }
   // Section 3.3: Kalman step, eqs. 6 to 14.
   start = Clock::now();
-  const KalmanResult kalman = refineByKalman(
-      a.states, b.states,
-      matchedBoxes(a.boxes[static_cast<size_t>(best->match.a)],
-                   b.boxes[static_cast<size_t>(best->match.b)], best->shift),
-      best->pose_a_in_b);
+  const KalmanResult kalman =
+      refineByKalman(a.states, b.states,
+                     matchedBoxes(a.boxes[static_cast<size_t>(best->match.a)],
+                                  b.boxes[static_cast<size_t>(best->match.b)], best->shift),
+                     best->pose_a_in_b);
   result.seconds.refinement = secondsSince(start);
 
   result.verdict = best->enough ? Verdict::Accepted : Verdict::Rejected;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The published method as it is printed, misprints aside: B. Chen, S. Li, H. Zhao, L. Liu, "Map
-// Merging with Suppositional Box for Multi-Robot Indoor Mapping", Electronics 2021, 10(7), 815. It is
-// the baseline that the default method is measured against (`--method paper`).
+// Merging with Suppositional Box for Multi-Robot Indoor Mapping", Electronics 2021, 10(7), 815. It
+// is the baseline that the default method is measured against (`--method paper`).
 #pragma once
 
 #include <vector>
@@ -42,11 +42,11 @@ struct PaperFeatures {
 [[nodiscard]] PaperFeatures extractPaperFeatures(const Map& map, const PaperOptions& options = {});
 
 /// Sections 3.2 and 3.3. Accepted if enough rough matches agree with the best pair's transform,
-/// which is the paper's own condition; the pose is that of the Kalman step. The paper has no measure
-/// of confidence: the one given here is the share of right answers measured on the Halmstad E5 maps,
-/// so it knows accepted from rejected and nothing else. Of maps with different cell sizes the coarser
-/// is resampled to the finer, and the reason says so; `matched_boxes` then names those boxes of the
-/// map as it was that lie nearest.
+/// which is the paper's own condition; the pose is that of the Kalman step. The paper has no
+/// measure of confidence: the one given here is the share of right answers measured on the Halmstad
+/// E5 maps, so it knows accepted from rejected and nothing else. Of maps with different cell sizes
+/// the coarser is resampled to the finer, and the reason says so; `matched_boxes` then names those
+/// boxes of the map as it was that lie nearest.
 [[nodiscard]] PairResult matchPaper(const PaperFeatures& a, const PaperFeatures& b,
                                     const PaperOptions& options = {});
 

@@ -12,8 +12,8 @@
 namespace sbox {
 
 struct ClusterOptions {
-  double radius = 0.5;       ///< A point within this of a cluster's first member joins it, metres.
-  double precision = 1e-8;   ///< Newton's method ends when its step is shorter, metres.
+  double radius = 0.5;      ///< A point within this of a cluster's first member joins it, metres.
+  double precision = 1e-8;  ///< Newton's method ends when its step is shorter, metres.
 };
 
 /// The vertical points that are taken for one corner.

@@ -8,7 +8,8 @@ namespace sbox {
 
 Pose2D fitRigid(const std::vector<Point2D>& from, const std::vector<Point2D>& to) {
   if (from.empty() || from.size() != to.size()) {
-    throw std::invalid_argument("a rigid fit needs as many points on either side, and one at least");
+    throw std::invalid_argument(
+        "a rigid fit needs as many points on either side, and one at least");
   }
   const auto count = static_cast<double>(from.size());
   Point2D from_mean(0, 0), to_mean(0, 0);

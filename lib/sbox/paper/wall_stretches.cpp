@@ -19,7 +19,8 @@ struct Ray {
   double normal_x, normal_y, rho;
 };
 
-/// The part of the line within [0, width] x [0, height] as positions along it; empty if first > last.
+/// The part of the line within [0, width] x [0, height] as positions along it; empty if first >
+/// last.
 struct Clip {
   double first;
   double last;

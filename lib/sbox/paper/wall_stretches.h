@@ -26,7 +26,6 @@ struct StretchOptions {
 /// The stretches of occupied cells along the line x cos(theta) + y sin(theta) = rho of the grid
 /// frame, in order.
 [[nodiscard]] std::vector<WallStretch> findWallStretches(const StateGrid& grid, double theta,
-                                                         double rho,
-                                                         const StretchOptions& options);
+                                                         double rho, const StretchOptions& options);
 
 }  // namespace sbox
