@@ -7,6 +7,7 @@
 #include "sbox-bench/methods/correlation.h"
 #include "sbox-bench/methods/hough_matching.h"
 #include "sbox-bench/methods/keypoints.h"
+#include "sbox/paper/paper_method.h"
 
 namespace sbox::bench {
 namespace {
@@ -22,7 +23,14 @@ Method makeKeypoints(KeypointKind kind) {
   return keypointMethod(options);
 }
 
+Method makePaper() {
+  return makeMethod(
+      "paper", [](const Map& map) { return extractPaperFeatures(map); },
+      [](const PaperFeatures& a, const PaperFeatures& b) { return matchPaper(a, b); });
+}
+
 constexpr Entry kMethods[] = {
+    {"paper", [] { return makePaper(); }},
     {"orb", [] { return makeKeypoints(KeypointKind::Orb); }},
     {"sift", [] { return makeKeypoints(KeypointKind::Sift); }},
     {"hough", [] { return houghMethod(); }},
