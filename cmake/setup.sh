@@ -11,7 +11,10 @@ set -euo pipefail
 packages=(
   catch2
   cmake
+  dpkg-dev
+  file
   g++
+  help2man
   libceres-dev
   libcli11-dev
   libeigen3-dev
