@@ -65,6 +65,14 @@ void addFiles(CLI::App& app, Arguments& arguments) {
                  "Write pictures into this folder: features of each map, matched boxes, overlays,\n"
                  "merged map; it is made if missing")
       ->type_name("DIR");
+  app.add_option("--html", arguments.html,
+                 "Write a page to look into the result: overlays to fade and toggle, verdicts,\n"
+                 "poses, features; one file that needs nothing else")
+      ->type_name("FILE");
+  app.add_option("--tf", arguments.tf,
+                 "Write where each map lies in the merged map as ROS transforms: .yaml as a\n"
+                 "tf2_msgs/TFMessage, else static_transform_publisher commands")
+      ->type_name("FILE");
   app.add_option("--resolution", arguments.resolution,
                  "Edge length of a cell of plain images, in metres (no default)")
       ->type_name("M");

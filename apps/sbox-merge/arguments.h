@@ -17,6 +17,8 @@ struct Arguments {
   std::string output = "merged.gridmap";
   std::string report;                ///< Empty: none.
   std::string pictures;              ///< Folder; empty: none.
+  std::string html;                  ///< Empty: none.
+  std::string tf;                    ///< Empty: none.
   std::optional<double> resolution;  ///< Of plain images, metres a cell.
   MergeOptions merge;                ///< With what --config and the other options say.
   bool dump_config = false;

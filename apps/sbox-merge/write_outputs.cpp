@@ -9,9 +9,12 @@
 #include "sbox/io/file_bytes.h"
 #include "sbox/io/file_error.h"
 #include "sbox/io/output_files.h"
+#include "sbox/io/path_extension.h"
 #include "sbox/io/save_map.h"
 #include "sbox/report/pictures.h"
+#include "sbox/report/report_html.h"
 #include "sbox/report/report_json.h"
+#include "sbox/report/tf_text.h"
 #include "sbox/stopwatch.h"
 
 namespace sbox::app {
@@ -25,6 +28,15 @@ void stageBytes(OutputFiles& files, const std::string& target, const Bytes& byte
   } catch (const FileError& error) {
     throw FileError(target, error.reason());
   }
+}
+
+void stageText(OutputFiles& files, const std::string& target, const std::string& text) {
+  stageBytes(files, target, Bytes(text.begin(), text.end()));
+}
+
+std::string tfText(const MergeResult& result, const std::string& file) {
+  const std::string extension = pathExtension(file);
+  return extension == ".yaml" || extension == ".yml" ? tfYaml(result) : tfScript(result);
 }
 
 /// A folder that goes again, if it is empty, unless keep() is called.
@@ -59,8 +71,10 @@ void checkOutputs(const Arguments& arguments) {
   OutputFiles trial;
   (void)trial.stage(arguments.output);
   (void)trial.stage(pictureBeside(arguments.output));
-  if (!arguments.report.empty()) {
-    (void)trial.stage(arguments.report);
+  for (const std::string& file : {arguments.report, arguments.html, arguments.tf}) {
+    if (!file.empty()) {
+      (void)trial.stage(file);
+    }
   }
   std::error_code ignored;
   if (!arguments.pictures.empty() && fs::exists(arguments.pictures, ignored)) {
@@ -93,11 +107,17 @@ std::vector<std::string> writeOutputs(const std::vector<Map>& maps, const Argume
       checkInterrupt();
     }
   }
+  if (!arguments.tf.empty() && !result.merged.empty()) {
+    stageText(files, arguments.tf, tfText(result, arguments.tf));
+  }
+  if (!arguments.html.empty()) {
+    stageText(files, arguments.html,
+              reportHtml(maps, result, map_files, arguments.merge.threads, tell));
+  }
   result.seconds.save = stopwatch.seconds();
   result.seconds.total = seconds_before + result.seconds.save;
   if (!arguments.report.empty()) {
-    const std::string report = reportJson(result, map_files);
-    stageBytes(files, arguments.report, Bytes(report.begin(), report.end()));
+    stageText(files, arguments.report, reportJson(result, map_files));
   }
   checkInterrupt();
   files.commit();

@@ -208,3 +208,17 @@ TEST_CASE("images take their cell size from --resolution") {
               .exit_code == 0);
   CHECK(floors.report()["maps"][0]["resolution"] == 0.05);
 }
+
+TEST_CASE("the page and the transforms are written where something was merged") {
+  const Floors floors;
+  REQUIRE(floors.run({"--in", "a.yaml", "b.yaml", "--html", "r.html", "--tf", "tf.yaml"})
+              .exit_code == 0);
+  checkContains(contents(floors.folder / "r.html"), "<title>2 of 2 maps merged</title>");
+  checkContains(contents(floors.folder / "tf.yaml"), "child_frame_id: b/map");
+  REQUIRE(floors.run({"--in", "a.yaml", "b.yaml", "--tf", "tf.sh"}).exit_code == 0);
+  checkContains(contents(floors.folder / "tf.sh"), "ros2 run tf2_ros static_transform_publisher");
+  REQUIRE(floors.run({"--in", "a.yaml", "hall.gridmap", "--html", "no.html", "--tf", "no.yaml"})
+              .exit_code == 3);
+  checkContains(contents(floors.folder / "no.html"), "<title>0 of 2 maps merged</title>");
+  CHECK_FALSE(fs::exists(floors.folder / "no.yaml"));
+}

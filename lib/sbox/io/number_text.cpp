@@ -9,10 +9,11 @@
 namespace sbox {
 namespace {
 
-template <typename Number>
-std::string shortestText(Number value) {
-  std::array<char, 64> text{};
-  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+template <typename... Number>
+std::string shortestText(Number... value) {
+  // The smallest double takes 326 characters without an exponent.
+  std::array<char, 400> text{};
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value...);
   return error == std::errc() ? std::string(text.data(), end) : std::string();
 }
 
@@ -20,6 +21,7 @@ std::string shortestText(Number value) {
 
 std::string numberText(double value) { return shortestText(value); }
 std::string numberText(float value) { return shortestText(value); }
+std::string plainNumberText(double value) { return shortestText(value, std::chars_format::fixed); }
 
 std::optional<double> parseNumber(std::string_view text) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') {

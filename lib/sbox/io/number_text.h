@@ -15,6 +15,9 @@ namespace sbox {
 /// As above for a float: 0.05F gives "0.05".
 [[nodiscard]] std::string numberText(float value);
 
+/// The shortest such text without an exponent, which PyYAML takes for a word ("1e-07").
+[[nodiscard]] std::string plainNumberText(double value);
+
 /// The number that the whole text spells, or nothing. Accepts a leading "+"; NaN and infinity are
 /// no numbers here.
 [[nodiscard]] std::optional<double> parseNumber(std::string_view text);

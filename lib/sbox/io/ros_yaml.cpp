@@ -149,8 +149,8 @@ std::string rosYamlText(const RosYaml& yaml) {
   }
   // The grid holds its cell size as a float: the shortest text for that is what was meant.
   text += "resolution: " + numberText(static_cast<float>(yaml.resolution)) + "\n";
-  text += "origin: [" + numberText(yaml.origin.x) + ", " + numberText(yaml.origin.y) + ", " +
-          numberText(yaml.origin.phi) + "]\n";
+  text += "origin: [" + plainNumberText(yaml.origin.x) + ", " + plainNumberText(yaml.origin.y) +
+          ", " + plainNumberText(yaml.origin.phi) + "]\n";
   text += std::string("negate: ") + (yaml.shading.negate ? "1" : "0") + "\n";
   text += "occupied_thresh: " + numberText(yaml.shading.occupied_thresh) + "\n";
   text += "free_thresh: " + numberText(yaml.shading.free_thresh) + "\n";

@@ -10,13 +10,9 @@
 
 #include "sbox/core/pose.h"
 #include "sbox/core/state_grid.h"
+#include "sbox/report/overlay_layers.h"
 
 namespace sbox {
-
-struct OverlayOptions {
-  double agree_within = 0.2;    ///< Walls this near to each other agree, in metres.
-  double conflict_depth = 0.3;  ///< A wall this deep in the other's free space conflicts, metres.
-};
 
 /// Map b, whose frame has the pose `pose_b_in_a` in a's, over map a. Names are for the legend.
 [[nodiscard]] cv::Mat drawOverlay(const StateGrid& a, const StateGrid& b, const Pose2D& pose_b_in_a,

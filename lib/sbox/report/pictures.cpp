@@ -17,6 +17,7 @@
 #include "sbox/report/map_picture.h"
 #include "sbox/report/number_text.h"
 #include "sbox/report/overlay_picture.h"
+#include "sbox/report/pairs_to_show.h"
 #include "sbox/report/short_names.h"
 
 namespace sbox {
@@ -34,30 +35,6 @@ struct Plan {
   std::string name;
   std::function<cv::Mat()> draw;
 };
-
-/// For each map its most confident pair: enough to see why it is where it is, or why it is nowhere,
-/// and linear in the maps where all pairs would be too many to look at.
-std::vector<const MapPair*> pairsToShow(const MergeResult& result) {
-  std::vector<const MapPair*> best(result.maps.size(), nullptr);
-  for (const MapPair& pair : result.pairs) {
-    if (!pair.result.has_pose) {
-      continue;
-    }
-    for (const int map : {pair.a, pair.b}) {
-      const MapPair*& known = best[static_cast<size_t>(map)];
-      if (known == nullptr || pair.result.confidence > known->result.confidence) {
-        known = &pair;
-      }
-    }
-  }
-  std::vector<const MapPair*> shown;
-  for (const MapPair& pair : result.pairs) {
-    if (std::find(best.begin(), best.end(), &pair) != best.end()) {
-      shown.push_back(&pair);
-    }
-  }
-  return shown;
-}
 
 std::string overlayTitle(const MapPair& pair, const std::vector<std::string>& names) {
   const Pose2D& pose = pair.result.pose_b_in_a;

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sbox/core/state_grid.h"
+#include "sbox/merge_result.h"
+#include "sbox/report/html/map_masks.h"
+
+namespace sbox::html {
+
+/// What all sections of a page are made from; one of each a map.
+struct PageData {
+  const MergeResult* result = nullptr;
+  std::vector<StateGrid> grids;
+  std::vector<MapMasks> masks;
+  std::vector<std::string> names;  ///< Short and distinct.
+
+  [[nodiscard]] const StateGrid& grid(int map) const { return grids[static_cast<size_t>(map)]; }
+  [[nodiscard]] const MapMasks& mask(int map) const { return masks[static_cast<size_t>(map)]; }
+  [[nodiscard]] const std::string& name(int map) const { return names[static_cast<size_t>(map)]; }
+};
+
+/// A part of the page: its text, and the CSS rules that it needs.
+struct Section {
+  std::string style;
+  std::string body;
+};
+
+}  // namespace sbox::html
