@@ -38,5 +38,10 @@ TEST_CASE("shift k lays corners 1, 2, 3 on corners 1 + k, 2 + k, 3 + k", "[paper
   const auto transforms = candidateTransforms(box, box);
   CHECK(wrapAngle(transforms[0].phi) == Approx(0).margin(1e-9));
   CHECK(std::abs(wrapAngle(transforms[2].phi)) == Approx(M_PI));
-  CHECK(transforms[1].phi == Approx(M_PI / 2));
+  // Sides of unequal length do not fit: the least squares of the three corners, by hand, give a
+  // dot product of -7 and a cross product of 40 / 3.
+  CHECK(transforms[1].phi == Approx(std::atan2(40.0 / 3, -7)));
+  const SuppositionalBox square = describeBox({{{0, 0}, {3, 0}, {3, 3}, {0, 3}}});
+  CHECK(candidateTransforms(square, square)[1].phi == Approx(M_PI / 2));
+  CHECK(candidateTransforms(square, square)[3].phi == Approx(-M_PI / 2));
 }

@@ -16,7 +16,7 @@ namespace sbox {
 namespace {
 
 // Share of right transforms among the answers accepted and refused on the 91 Halmstad E5 pairs.
-constexpr double kRightWhenAccepted = 0.5;
+constexpr double kRightWhenAccepted = 0.3;
 constexpr double kRightWhenRejected = 0.1;
 
 using Clock = std::chrono::steady_clock;
