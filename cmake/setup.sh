@@ -21,6 +21,7 @@ packages=(
   libmrpt-io-dev
   libmrpt-maps-dev
   libmrpt-obs-dev
+  libmrpt-slam-dev
   libopencv-dev
   ninja-build
   nlohmann-json3-dev

@@ -17,7 +17,7 @@ double gaussian(Random& random, double sigma) {
   return std::normal_distribution<double>(0, sigma)(random);
 }
 
-mrpt::obs::CObservation2DRangeScan scanFrom(const Pose2D& pose_in_world, const World& world,
+mrpt::obs::CObservation2DRangeScan scanFrom(const Pose2D& pose_in_world, const Ranger& ranger,
                                             const DriveOptions& options, Random& random) {
   const auto beams = static_cast<size_t>(options.beams);
   mrpt::obs::CObservation2DRangeScan scan;
@@ -26,12 +26,13 @@ mrpt::obs::CObservation2DRangeScan scanFrom(const Pose2D& pose_in_world, const W
   scan.stdError = static_cast<float>(options.range_sigma);
   scan.rightToLeft = true;
   scan.resizeScan(beams);
+  ranger(pose_in_world, scan);
   for (size_t i = 0; i < beams; ++i) {
-    const double angle =
-        options.field_of_view * (static_cast<double>(i) / static_cast<double>(beams - 1) - 0.5);
-    const double range =
-        distanceToWall(world, {pose_in_world.x, pose_in_world.y}, pose_in_world.phi + angle) +
-        gaussian(random, options.range_sigma);
+    const double noise = gaussian(random, options.range_sigma);
+    if (!scan.getScanRangeValidity(i)) {
+      continue;
+    }
+    const double range = static_cast<double>(scan.getScanRange(i)) + noise;
     const bool seen = range > 0 && range < options.max_range;
     scan.setScanRange(i, seen ? static_cast<float>(range) : scan.maxRange);
     scan.setScanRangeValidity(i, seen);
@@ -80,11 +81,15 @@ Path loadPath(const std::string& path) {
 }
 
 Run drive(const World& world, const Path& path, const DriveOptions& options) {
+  return drive(exactRanger(world), path, options);
+}
+
+Run drive(const Ranger& ranger, const Path& path, const DriveOptions& options) {
   Random random(options.seed);
   Run run;
   Pose2D pose_in_world = path.start_in_world, pose_in_map;
   const auto look = [&] {
-    run.push_back({pose_in_world, pose_in_map, scanFrom(pose_in_world, world, options, random)});
+    run.push_back({pose_in_world, pose_in_map, scanFrom(pose_in_world, ranger, options, random)});
   };
   look();
   for (const Pose2D& step : stepsAlong(path, options)) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "sbox-dataset/ranger.h"
 #include "sbox-dataset/run.h"
 #include "sbox-dataset/world.h"
 
@@ -36,7 +37,11 @@ struct DriveOptions {
   std::uint32_t seed = 1;
 };
 
-/// Drives a robot along a path. The same seed gives the same run.
+/// Drives a robot along a path, with a lidar that sees what `ranger` says. The same seed gives the
+/// same run.
+[[nodiscard]] Run drive(const Ranger& ranger, const Path& path, const DriveOptions& options = {});
+
+/// The same with the exact ranges to the world's walls.
 [[nodiscard]] Run drive(const World& world, const Path& path, const DriveOptions& options = {});
 
 }  // namespace sbox::dataset

@@ -13,7 +13,11 @@
 
 #include "sbox-dataset/drive.h"
 #include "sbox-dataset/logged_runs.h"
+#include "sbox-dataset/office.h"
+#include "sbox-dataset/rawlog_file.h"
+#include "sbox-dataset/route.h"
 #include "sbox-dataset/world.h"
+#include "sbox-dataset/world_grid.h"
 #include "sbox-dataset/write_dataset.h"
 
 namespace {
@@ -25,6 +29,13 @@ struct SimulateArguments {
   std::string world;
   std::vector<std::string> paths;
   std::uint32_t seed = 1;
+  bool plan = false;
+  bool rawlogs = false;
+};
+
+struct OfficeArguments {
+  std::uint32_t seed = 1;
+  std::string out;
 };
 
 struct CutArguments {
@@ -46,15 +57,28 @@ struct OutputArguments {
 };
 
 std::vector<NamedRun> simulate(const SimulateArguments& arguments) {
+  constexpr double kPlanningCell = 0.05;
   const World world = loadWorld(arguments.world);
+  const RoutePlanner planner(worldGrid(world, kPlanningCell));
   std::vector<NamedRun> runs;
   for (const std::string& path : arguments.paths) {
     DriveOptions options;
     options.seed = arguments.seed + static_cast<std::uint32_t>(runs.size());
-    runs.push_back(
-        {std::filesystem::path(path).stem().string(), drive(world, loadPath(path), options)});
+    Path drawn = loadPath(path);
+    if (arguments.plan) {
+      drawn = planner.tour(drawn.start_in_world, drawn.points_in_world);
+    }
+    runs.push_back({std::filesystem::path(path).stem().string(), drive(world, drawn, options)});
   }
   return runs;
+}
+
+void saveRawlogs(const std::string& folder, const std::vector<NamedRun>& runs) {
+  for (const NamedRun& run : runs) {
+    const std::string stem = (std::filesystem::path(folder) / run.name).string();
+    saveRawlog(run.steps, stem + ".rawlog");
+    saveTruePoses(run.steps, stem + ".gt");
+  }
 }
 
 std::vector<NamedRun> runsOfLog(const LogArguments& arguments) {
@@ -88,7 +112,18 @@ int main(int argc, char** argv) {
   simulate_command->add_option("--path", simulated.paths, "A robot's path, a text file; repeat")
       ->required();
   simulate_command->add_option("--seed", simulated.seed, "Seed of all noise");
+  simulate_command->add_flag("--plan", simulated.plan,
+                             "Plan ways round walls between the points of each path");
+  simulate_command->add_flag(
+      "--rawlogs", simulated.rawlogs,
+      "Also write what each robot recorded, NAME.rawlog, and its true poses, "
+      "NAME.gt (index x y phi)");
   addOutput(simulate_command, output);
+
+  OfficeArguments office;
+  CLI::App* office_command = app.add_subcommand("office", "Make up a random office");
+  office_command->add_option("--seed", office.seed, "Which one");
+  office_command->add_option("--out", office.out, "The world, a text file")->required();
 
   CutArguments cut;
   CLI::App* cut_command = app.add_subcommand("cut", "Cut scans out of a log, for a SLAM to map");
@@ -109,9 +144,15 @@ int main(int argc, char** argv) {
   try {
     if (*cut_command) {
       ScanLog(cut.rawlog).save(cut.first, cut.count, cut.out);
+    } else if (*office_command) {
+      saveWorld(randomOffice(office.seed), office.out);
     } else {
-      writeDataset(output.folder, output.environment,
-                   *simulate_command ? simulate(simulated) : runsOfLog(logged));
+      const std::vector<NamedRun> runs =
+          *simulate_command ? simulate(simulated) : runsOfLog(logged);
+      writeDataset(output.folder, output.environment, runs);
+      if (*simulate_command && simulated.rawlogs) {
+        saveRawlogs(output.folder, runs);
+      }
     }
   } catch (const std::exception& error) {
     std::cerr << "sbox-dataset: " << error.what() << '\n';

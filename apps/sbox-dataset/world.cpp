@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fstream>
+#include <iomanip>
 #include <limits>
+#include <stdexcept>
 
 #include "sbox-dataset/text_lines.h"
 
 namespace sbox::dataset {
-namespace {
-
 void addBox(World& world, const Pose2D& centre_in_world, double length, double width) {
   const std::array<Point2D, 4> corners{
       centre_in_world.composePoint({-length / 2, -width / 2}),
@@ -24,8 +25,6 @@ void addBox(World& world, const Pose2D& centre_in_world, double length, double w
   }
 }
 
-}  // namespace
-
 World loadWorld(const std::string& path) {
   World world;
   for (const TextLine& line : readTextLines(path)) {
@@ -35,12 +34,42 @@ World loadWorld(const std::string& path) {
       for (size_t i = 3; i < n.size(); i += 2) {
         world.walls.push_back({{n[i - 3], n[i - 2]}, {n[i - 1], n[i]}});
       }
+    } else if (line.keyword == "slab") {
+      line.expect(n.size() == 5, "slab x y x y thickness");
+      const double dx = n[2] - n[0], dy = n[3] - n[1];
+      addBox(world, {(n[0] + n[2]) / 2, (n[1] + n[3]) / 2, std::atan2(dy, dx)}, std::hypot(dx, dy),
+             n[4]);
+    } else if (line.keyword == "place") {
+      line.expect(n.size() == 2, "place x y");
+      world.places.emplace_back(n[0], n[1]);
+    } else if (line.keyword == "yardstick") {
+      line.expect(n.size() == 4, "yardstick x y x y");
+      world.yardsticks.push_back({{n[0], n[1]}, {n[2], n[3]}});
     } else {
       line.expect(line.keyword == "box" && n.size() == 5, "box x y length width angle_deg");
       addBox(world, {n[0], n[1], n[4] * M_PI / 180}, n[2], n[3]);
     }
   }
   return world;
+}
+
+void saveWorld(const World& world, const std::string& path) {
+  std::ofstream file(path);
+  file << std::setprecision(10);
+  const auto writeSegments = [&](const char* keyword, const std::vector<LineSegment>& segments) {
+    for (const LineSegment& s : segments) {
+      file << keyword << ' ' << s.from.x << ' ' << s.from.y << "  " << s.to.x << ' ' << s.to.y
+           << '\n';
+    }
+  };
+  writeSegments("wall", world.walls);
+  for (const Point2D& place : world.places) {
+    file << "place " << place.x << ' ' << place.y << '\n';
+  }
+  writeSegments("yardstick", world.yardsticks);
+  if (!file.flush()) {
+    throw std::runtime_error(path + ": cannot be written");
+  }
 }
 
 double distanceToWall(const World& world, const Point2D& eye, double angle) {

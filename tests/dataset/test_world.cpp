@@ -23,6 +23,24 @@ TEST_CASE("a world file holds polylines and turned boxes", "[world]") {
   CHECK(world.walls[2].from.y == Approx(19));
 }
 
+TEST_CASE("a world survives a file", "[world]") {
+  const ScratchFolder scratch;
+  const World world = loadWorld(scratch.write("w",
+                                              "slab 0 0  4 0  0.2\n"
+                                              "place 1.5 2\n"
+                                              "yardstick 0.5 1  2 3\n"));
+  saveWorld(world, scratch.path("again"));
+  const World again = loadWorld(scratch.path("again"));
+  REQUIRE(again.walls.size() == 4);
+  CHECK(again.walls[0].from.y == Approx(-0.1));
+  CHECK(again.walls[1].from.x == Approx(4));
+  REQUIRE(again.places.size() == 1);
+  CHECK(again.places[0].x == 1.5);
+  REQUIRE(again.yardsticks.size() == 1);
+  CHECK(again.yardsticks[0].to.y == 3);
+  CHECK_THROWS(saveWorld(world, scratch.path("none/there")));
+}
+
 TEST_CASE("a world file with a fault is refused by its line", "[world]") {
   const ScratchFolder scratch;
   CHECK_THROWS_WITH(loadWorld(scratch.write("w", "wall 0 0 1 1\nwall 0 0 1\n")),
