@@ -29,6 +29,7 @@ packages=(
 check_packages=(
   clang-format-14
   clang-tidy-14
+  doxygen
 )
 
 fail() {
@@ -68,12 +69,16 @@ if [[ $(id -u) -ne 0 ]]; then
     fail "needs root or sudo to install: ${wanted[*]}"
   as_root=(sudo)
 fi
+# Some thousand lines that nobody wants to read, unless it fails.
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
 apt() {
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-    apt-get -o DPkg::Lock::Timeout=300 --quiet "$@" < /dev/null
+    apt-get -o DPkg::Lock::Timeout=300 --quiet "$@" < /dev/null > "$log" 2>&1 ||
+    { tail -n 20 "$log" >&2; return 1; }
 }
 
-echo "setup: installing ${wanted[*]}"
+echo "setup: installing ${wanted[*]} and what they need; this takes some minutes"
 apt update ||
   echo "setup: the package lists could not be brought up to date; trying with the old ones" >&2
 apt install --yes --no-install-recommends "${wanted[@]}" ||

@@ -15,6 +15,7 @@
 
 namespace sbox {
 
+/// What matching all pairs gives.
 struct MatchedMaps {
   std::vector<FeatureSet> features;  ///< Of each map.
   std::vector<MapPair> pairs;        ///< All, ordered by a, then b.

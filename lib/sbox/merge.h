@@ -21,14 +21,15 @@ enum class Method {
   Paper  ///< The published method as it is printed; see paper_method.h.
 };
 
+/// Options of every stage.
 struct MergeOptions {
-  Method method = Method::Paper;
-  PaperOptions paper;
-  PlacementOptions placement;
-  FusionOptions fusion;          ///< Its `threads` is replaced by the one below.
-  std::optional<int> reference;  ///< Index of the map whose frame the merged map takes, if it can.
-  bool all_groups = false;       ///< Merge every group of two or more, not only the largest.
-  int threads = 0;               ///< 0: one a core. Changes nothing but the time.
+  Method method = Method::Paper;  ///< How pairs are matched.
+  PaperOptions paper;             ///< For Method::Paper.
+  PlacementOptions placement;     ///< From pairs to groups.
+  FusionOptions fusion;           ///< Its `threads` is replaced by the one below.
+  std::optional<int> reference;   ///< Index of the map whose frame the merged map takes, if it can.
+  bool all_groups = false;        ///< Merge every group of two or more, not only the largest.
+  int threads = 0;                ///< 0: one a core. Changes nothing but the time.
 };
 
 /// Merges the maps that belong together. The merged map is that of the largest group, in the frame

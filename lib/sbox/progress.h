@@ -16,6 +16,7 @@ using ProgressFunction = std::function<void(const std::string& stage, int done, 
 /// Counts the parts of one stage, which may run on any thread.
 class StageProgress {
  public:
+  /// A stage of `total` parts; an empty `tell` is told nothing.
   StageProgress(ProgressFunction tell, std::string stage, int total)
       : tell_(std::move(tell)), stage_(std::move(stage)), total_(total) {
     report();
@@ -25,6 +26,7 @@ class StageProgress {
     const std::lock_guard<std::mutex> lock(mutex_);
     report();
   }
+  /// Counts one part and tells.
   void partDone() {
     const std::lock_guard<std::mutex> lock(mutex_);
     ++done_;

@@ -9,6 +9,7 @@ namespace sbox {
 /// Wall time since it was made, in seconds.
 class Stopwatch {
  public:
+  /// Since it was made.
   [[nodiscard]] double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }

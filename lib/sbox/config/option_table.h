@@ -16,33 +16,38 @@ namespace sbox {
 
 /// Values an option may take, both ends included, in the unit of the file.
 struct Range {
-  double low;
-  double high;
+  double low;   ///< The least value allowed.
+  double high;  ///< The largest value allowed.
 };
 
 /// A row of the table, bound to the variable that holds the option.
 struct OptionRow {
-  std::string section;
-  std::string key;
-  std::string meaning;  ///< With unit and range.
-  std::function<std::string()> read;
+  std::string section;                ///< Of the ini file.
+  std::string key;                    ///< In its section.
+  std::string meaning;                ///< With unit and range.
+  std::function<std::string()> read;  ///< The value as text, in the unit of the file.
   /// Throws std::invalid_argument saying what the value must be.
   std::function<void(const std::string&)> write;
 };
 
+/// Rows in the order in which they were added.
 class OptionTable {
  public:
   /// The rows that follow belong to this section.
   void section(const std::string& name) { section_ = name; }
 
+  /// A length, in metres.
   void metres(const std::string& key, double& value, Range range, const std::string& meaning);
   /// Radians in the variable, degrees in files and in the range.
   void degrees(const std::string& key, double& value, Range range, const std::string& meaning);
   /// A number without a unit, or with the one that the meaning names.
   void number(const std::string& key, double& value, Range range, const std::string& meaning);
+  /// A whole number without a unit.
   void count(const std::string& key, int& value, Range range, const std::string& meaning);
+  /// Yes or no.
   void flag(const std::string& key, bool& value, const std::string& meaning);
 
+  /// One of a few words.
   template <typename Enum>
   void choice(const std::string& key, Enum& value,
               const std::vector<std::pair<std::string, Enum>>& names, const std::string& meaning) {
@@ -64,6 +69,7 @@ class OptionTable {
         [&value, names](size_t i) { value = names[i].second; });
   }
 
+  /// All rows, in the order added.
   [[nodiscard]] const std::vector<OptionRow>& rows() const { return rows_; }
 
   /// Sets the variables. Throws IniError on an unknown section or key and on a bad value.

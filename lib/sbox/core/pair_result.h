@@ -22,24 +22,24 @@ enum class Verdict {
 
 /// A transform that was considered, and the probability that it is right.
 struct Candidate {
-  Pose2D pose_b_in_a;
+  Pose2D pose_b_in_a;     ///< Frame of map b in the frame of map a.
   double confidence = 0;  ///< In [0, 1].
 };
 
 /// Wall time of each stage, in seconds.
 struct PairSeconds {
-  double matching = 0;
-  double verification = 0;
-  double refinement = 0;
+  double matching = 0;      ///< Hypotheses from the features of both maps.
+  double verification = 0;  ///< Hypotheses against the cells.
+  double refinement = 0;    ///< Transform and covariance.
 };
 
 /// What is known about two maps a and b after matching. The best candidate is carried even when it
 /// was refused.
 struct PairResult {
-  Verdict verdict = Verdict::Rejected;
-  std::string reason;     ///< One sentence: why this verdict.
-  bool has_pose = false;  ///< False when no transform could be proposed at all.
-  Pose2D pose_b_in_a;     ///< Frame of map b in the frame of map a.
+  Verdict verdict = Verdict::Rejected;  ///< Whether pose_b_in_a may be used.
+  std::string reason;                   ///< One sentence: why this verdict.
+  bool has_pose = false;                ///< False when no transform could be proposed at all.
+  Pose2D pose_b_in_a;                   ///< Frame of map b in the frame of map a.
   PoseCovariance covariance = PoseCovariance::Identity() * 1e6;  ///< Of pose_b_in_a; never zero.
   double confidence = 0;         ///< Probability that pose_b_in_a is right, in [0, 1].
   double overlap_m2 = 0;         ///< Area known to both maps under pose_b_in_a.
@@ -47,7 +47,7 @@ struct PairResult {
   std::optional<Pose2D> ceres;   ///< pose_b_in_a by the Ceres cross-check, if it could run.
   std::vector<std::pair<int, int>> matched_boxes;  ///< Indices into the boxes of a and of b.
   std::vector<Candidate> alternatives;  ///< Other distinct transforms, most likely first.
-  PairSeconds seconds;
+  PairSeconds seconds;                  ///< What it took.
 };
 
 }  // namespace sbox

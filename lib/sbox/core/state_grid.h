@@ -32,6 +32,7 @@ struct StateGrid {
   [[nodiscard]] bool empty() const { return cells.empty(); }
 };
 
+/// Which cells count as free and which as occupied; the others count as unknown.
 struct StateOptions {
   double free_above = 0.6;      ///< Probability of being free from which a cell counts as free.
   double occupied_below = 0.4;  ///< Probability of being free below which it counts as occupied.

@@ -8,11 +8,12 @@ namespace sbox {
 
 /// A rectangle of cells, ends excluded; empty where an end is not behind its first.
 struct CellBox {
-  int x_first = 0;
-  int y_first = 0;
-  int x_end = 0;
-  int y_end = 0;
+  int x_first = 0;  ///< First column.
+  int y_first = 0;  ///< First row.
+  int x_end = 0;    ///< One beyond the last column.
+  int y_end = 0;    ///< One beyond the last row.
 
+  /// Whether it holds no cell.
   [[nodiscard]] bool empty() const { return x_end <= x_first || y_end <= y_first; }
 };
 

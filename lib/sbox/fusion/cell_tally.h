@@ -15,8 +15,11 @@ class CellTally {
   /// Adds a map's log-odds of being free, -128 to 127; 0 adds nothing.
   void add(int log_odds);
 
+  /// Summed log-odds of the maps that say free, in MRPT's units.
   [[nodiscard]] int free() const { return static_cast<int>(word_ & kSumMask); }
+  /// Summed log-odds of the maps that say occupied, positive, in MRPT's units.
   [[nodiscard]] int occupied() const { return static_cast<int>((word_ >> kOccupiedAt) & kSumMask); }
+  /// Number of the maps that know the cell.
   [[nodiscard]] int maps() const { return static_cast<int>(word_ >> kMapsAt); }
   /// Whether one map says free and another occupied.
   [[nodiscard]] bool contested() const { return free() != 0 && occupied() != 0; }

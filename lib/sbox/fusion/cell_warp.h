@@ -20,8 +20,8 @@ constexpr std::int64_t kSubCellUnit = std::int64_t{1} << 32;
 
 /// Cells along a row, end excluded.
 struct CellSpan {
-  int first = 0;
-  int end = 0;
+  int first = 0;  ///< First cell.
+  int end = 0;    ///< One beyond the last.
 };
 
 /// Where the centres of lattice cells lie in a map's cells. In fixed point, so that stepping along

@@ -18,6 +18,7 @@ class EvidenceTile {
   /// Adds what a map knows about the tile's cells; false if it lies beside them.
   bool add(const MapLayer& layer);
 
+  /// The lattice cells it covers.
   [[nodiscard]] const CellBox& cells() const { return cells_; }
   /// Tallies of the tile's row y (lattice cells), from x_first on.
   [[nodiscard]] const CellTally* row(int y) const {

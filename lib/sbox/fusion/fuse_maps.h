@@ -19,13 +19,15 @@ enum class FusionRule {
   LogOdds  ///< Sum of the log-odds; see log_odds_rule.h.
 };
 
+/// How maps are fused.
 struct FusionOptions {
-  FusionRule rule = FusionRule::LogOdds;
+  FusionRule rule = FusionRule::LogOdds;  ///< What maps that differ make of a cell.
   StateOptions states;     ///< Which cells count as free and occupied, for Table 1 and conflicts.
   double max_cells = 4e8;  ///< More merged cells than this are refused.
   int threads = 1;         ///< 0: one a core. The result does not depend on it.
 };
 
+/// The fused map.
 struct FusionResult {
   /// In the reference map's frame, on its lattice of cells (see lattice.h), and no larger than what
   /// any map knows; a single unknown cell if none knows anything.

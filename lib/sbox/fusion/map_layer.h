@@ -17,7 +17,7 @@ struct MapLayer {
   CellBox box;             ///< The least rectangle of lattice cells that holds all it knows.
   /// Lattice cells along a map cell's edge if the map's cells are taken as they are, else 0.
   int lattice_cells_per_cell = 0;
-  const Map* map = nullptr;
+  const Map* map = nullptr;  ///< Not owned.
 
   /// What the map says about lattice cell (x, y).
   [[nodiscard]] Evidence at(int x, int y) const;

@@ -8,7 +8,7 @@ namespace sbox {
 
 /// A map and where it goes; it does not own the map.
 struct PlacedMap {
-  const Map* map = nullptr;
+  const Map* map = nullptr;  ///< Not owned.
   Pose2D pose_in_reference;  ///< Frame of the map in the frame of the reference map.
 };
 

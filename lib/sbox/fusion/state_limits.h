@@ -9,8 +9,8 @@ namespace sbox {
 /// StateOptions' probabilities as MRPT's log-odds: free from `free_from` on, occupied up to
 /// `occupied_to`.
 struct StateLimits {
-  int free_from = 1;
-  int occupied_to = -1;
+  int free_from = 1;     ///< Log-odds of a cell that is just free.
+  int occupied_to = -1;  ///< Log-odds of a cell that is just occupied.
 };
 
 [[nodiscard]] StateLimits stateLimits(const StateOptions& options);

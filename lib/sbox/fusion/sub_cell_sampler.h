@@ -26,6 +26,7 @@ struct Evidence {
   int net = 0;    ///< Mean of all known cells around, of whole's sign: weak beside a wall's edge.
 };
 
+/// Samples one map; keeps a pointer to its cells, which must outlive it.
 class SubCellSampler {
  public:
   /// `neck_width` in map cells, see neckWidth().
@@ -45,13 +46,16 @@ class SubCellSampler {
     return ofOneSign(a, b, c, d) ? bilinear(a, b, c, d, fraction(place.u), fraction(place.v))
                                  : blend(place).whole;
   }
+  /// Least place between the centres of cells.
   [[nodiscard]] static SubCell insideLow() { return {0, 0}; }
+  /// One beyond the largest such place.
   [[nodiscard]] SubCell insideHigh() const {
     return {(width_ - 1) * kSubCellUnit, (height_ - 1) * kSubCellUnit};
   }
 
   /// Outside of reachLow() <= place < reachHigh() the map knows nothing.
   [[nodiscard]] static SubCell reachLow() { return {-kSubCellUnit, -kSubCellUnit}; }
+  /// One beyond the largest place within the outer cells.
   [[nodiscard]] SubCell reachHigh() const {
     return {width_ * kSubCellUnit, height_ * kSubCellUnit};
   }

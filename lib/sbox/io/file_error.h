@@ -10,6 +10,7 @@ namespace sbox {
 /// A file that cannot be read or written. what() is one line: "PATH: reason".
 class FileError : public std::runtime_error {
  public:
+  /// what() becomes "path: reason".
   FileError(const std::string& path, const std::string& reason);
 
   /// The file, as it was given.

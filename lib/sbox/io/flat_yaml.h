@@ -13,13 +13,15 @@
 
 namespace sbox {
 
+/// What stands behind a key.
 struct FlatYamlValue {
+  /// Its form.
   enum class Kind {
     Scalar,
     List,
     Other  ///< Something else, such as a nested mapping: skipped.
   };
-  Kind kind = Kind::Scalar;
+  Kind kind = Kind::Scalar;        ///< Says which of the members below counts.
   std::vector<std::string> items;  ///< The scalar, or the items of the list.
 };
 

@@ -16,8 +16,8 @@ struct GridmapHeader {
   std::uint32_t width = 0;   ///< Cells in a row.
   std::uint32_t height = 0;  ///< Cells in a column.
   float x_min = 0;           ///< Lower-left corner of the grid, in metres.
-  float y_min = 0;
-  float resolution = 0;  ///< Edge length of a cell, in metres.
+  float y_min = 0;           ///< Lower edge of row 0, metres.
+  float resolution = 0;      ///< Edge length of a cell, in metres.
 };
 
 /// Bytes from the start of the object to its cells, as told by its first byte.

@@ -11,8 +11,8 @@ namespace sbox {
 
 /// Pixels of 8 bits a channel.
 struct Image {
-  int width = 0;
-  int height = 0;
+  int width = 0;     ///< Pixels in a row.
+  int height = 0;    ///< Rows.
   int channels = 0;  ///< 1 grey, 3 colour (in any order), 4 colour and, last, opacity.
   Bytes pixels;      ///< Row by row, top row first, channels side by side.
 

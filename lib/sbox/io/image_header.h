@@ -14,10 +14,11 @@ namespace sbox {
 
 enum class ImageKind { Png, Pnm, Other };
 
+/// What the first bytes claim.
 struct ImageHeader {
-  ImageKind kind = ImageKind::Other;
-  std::int64_t width = 0;
-  std::int64_t height = 0;
+  ImageKind kind = ImageKind::Other;  ///< By its magic number.
+  std::int64_t width = 0;             ///< Pixels in a row.
+  std::int64_t height = 0;            ///< Rows.
   bool whole = true;  ///< False if the file ends before the image does, as far as can be told.
 };
 

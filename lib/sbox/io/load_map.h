@@ -9,6 +9,7 @@
 
 namespace sbox {
 
+/// What the file itself cannot say.
 struct LoadOptions {
   /// Edge length of a cell in metres for a plain image, which cannot say it itself; other files
   /// ignore it.

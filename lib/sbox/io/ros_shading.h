@@ -21,10 +21,10 @@ enum class RosMode {
 
 /// The defaults are those of map_saver and of images without a .yaml in ROS 1.
 struct RosShading {
-  RosMode mode = RosMode::Trinary;
-  bool negate = false;            ///< Black is free. Ignored in raw mode, as in nav2.
-  double occupied_thresh = 0.65;  ///< Occupied above this occupancy; black 1, white 0.
-  double free_thresh = 0.196;     ///< Free below this occupancy.
+  RosMode mode = RosMode::Trinary;  ///< How shades are read.
+  bool negate = false;              ///< Black is free. Ignored in raw mode, as in nav2.
+  double occupied_thresh = 0.65;    ///< Occupied above this occupancy; black 1, white 0.
+  double free_thresh = 0.196;       ///< Free below this occupancy.
 };
 
 /// Occupancy of a cell in percent, as in nav_msgs/OccupancyGrid: 0 free to 100 occupied, or

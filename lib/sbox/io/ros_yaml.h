@@ -14,7 +14,7 @@ struct RosYaml {
   std::string image;      ///< Path of the image: absolute, or from the folder of the .yaml.
   double resolution = 0;  ///< Edge length of a cell, in metres.
   Pose2D origin;          ///< Lower-left corner of the image in the map frame, with yaw.
-  RosShading shading;
+  RosShading shading;     ///< What the shades of the image mean.
 };
 
 /// Reads the file. `image`, `resolution` and `origin` must be there; `negate`, `mode` and the

@@ -11,6 +11,7 @@
 
 namespace sbox {
 
+/// When a match agrees with a transform.
 struct AgreementOptions {
   double corner_distance = 0.75;  ///< A match agrees if its four corners are nearer, metres.
 };

@@ -11,17 +11,18 @@
 
 namespace sbox {
 
+/// From boxes to the best pair.
 struct BestPairOptions {
   int min_agreeing = 8;  ///< Agreeing matches that make a transform a candidate.
   double least_distance =
       0.05;  ///< The sum in eq. 5 counts as no less, metres: a perfect fit is 0.
-  RoughMatchOptions rough_match;
-  AgreementOptions agreement;
+  RoughMatchOptions rough_match;  ///< Boxes of equal sides.
+  AgreementOptions agreement;     ///< The filter.
 };
 
 /// The pair of boxes whose transform is the answer.
 struct BestPair {
-  RoughMatch match;
+  RoughMatch match;     ///< The two boxes.
   int shift = 0;        ///< Corner i of box a lies on corner i + shift of box b.
   Pose2D pose_a_in_b;   ///< The transform T, from three of the corners.
   Agreement agreement;  ///< What else agrees with it.

@@ -12,6 +12,7 @@
 
 namespace sbox {
 
+/// Limits on boxes.
 struct BoxOptions {
   double min_width = 1.0;    ///< The shorter side is at least this long, metres.
   double max_height = 60.0;  ///< The longer side is at most this long, metres.
@@ -24,7 +25,7 @@ struct SuppositionalBox {
   double height = 0;               ///< The longer side.
   double width = 0;                ///< The shorter side.
   double area = 0;                 ///< Square metres.
-  Point2D centre;
+  Point2D centre;                  ///< Mean of the corners.
 };
 
 /// Eq. 3 of four corners that go round a convex quadrangle, either way.

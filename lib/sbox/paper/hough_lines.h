@@ -14,6 +14,7 @@
 
 namespace sbox {
 
+/// Bins of the transform, and what makes a line.
 struct HoughOptions {
   double theta_step = M_PI / 180;  ///< Width of an angle bin, radians.
   double rho_step = 0.05;          ///< Width of a distance bin, metres; at least one cell.

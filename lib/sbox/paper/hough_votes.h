@@ -18,6 +18,7 @@ class HoughVotes {
 
   /// Bins of the table, numbered by angle, then by distance.
   [[nodiscard]] int bins() const { return static_cast<int>(votes_.size()); }
+  /// Occupied cells that voted for the bin and were not withdrawn.
   [[nodiscard]] int votes(int bin) const { return votes_[static_cast<size_t>(bin)]; }
   /// Direction of the normal of a bin's line, radians in [0, pi).
   [[nodiscard]] double theta(int bin) const { return bin / rho_bins_ * theta_step_; }

@@ -19,8 +19,8 @@ namespace sbox {
 
 /// Two matched boxes: corner i of `corners_a` corresponds to corner i of `corners_b`. Grid frames.
 struct MatchedBoxes {
-  std::array<Point2D, 4> corners_a;
-  std::array<Point2D, 4> corners_b;
+  std::array<Point2D, 4> corners_a;  ///< Of the box in map a, metres in its grid frame.
+  std::array<Point2D, 4> corners_b;  ///< Their counterparts in map b.
 };
 
 /// Box a and box b with b's corners brought into correspondence by the shift.

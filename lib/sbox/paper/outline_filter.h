@@ -11,6 +11,7 @@
 
 namespace sbox {
 
+/// What counts as near the outline.
 struct OutlineOptions {
   double reach = 1.0;  ///< How far to walk from the point in each of the four directions, metres.
 };

@@ -20,22 +20,23 @@
 
 namespace sbox {
 
+/// Options of the paper's sections 3.1 and 3.2.
 struct PaperOptions {
-  StateOptions states;
-  HoughOptions hough;
-  VerticalPointOptions vertical_points;
-  ClusterOptions clusters;
-  OutlineOptions outline;
-  BoxOptions boxes;
-  BestPairOptions best_pair;
+  StateOptions states;                   ///< Free, occupied or unknown.
+  HoughOptions hough;                    ///< Section 3.1.1, lines.
+  VerticalPointOptions vertical_points;  ///< Section 3.1.1, eq. 1.
+  ClusterOptions clusters;               ///< Section 3.1.2, eq. 2.
+  OutlineOptions outline;                ///< Section 3.1.2, the filter.
+  BoxOptions boxes;                      ///< Section 3.1.3.
+  BestPairOptions best_pair;             ///< Section 3.2.
 };
 
 /// The features of one map. Boxes are in the grid frame (metres from the lower-left corner of
 /// `states`, x along its rows); feature_set holds the same in the map frame.
 struct PaperFeatures {
-  StateGrid states;
-  std::vector<SuppositionalBox> boxes;
-  FeatureSet feature_set;
+  StateGrid states;                     ///< The map's cells.
+  std::vector<SuppositionalBox> boxes;  ///< In the grid frame, largest first.
+  FeatureSet feature_set;               ///< In the map frame, boxes in the same order.
 };
 
 /// Section 3.1. A map without lines has no boxes; that is no error.

@@ -11,6 +11,7 @@
 
 namespace sbox {
 
+/// Which points are one corner.
 struct ClusterOptions {
   double radius = 0.5;      ///< A point within this of a cluster's first member joins it, metres.
   double precision = 1e-8;  ///< Newton's method ends when its step is shorter, metres.

@@ -11,6 +11,7 @@
 
 namespace sbox {
 
+/// When boxes could be the same.
 struct RoughMatchOptions {
   double side_tolerance = 0.5;  ///< Difference of heights, and of widths, allowed; metres.
   int max_matches = 20000;      ///< Those of the largest boxes are kept.
@@ -18,8 +19,8 @@ struct RoughMatchOptions {
 
 /// Indices of a box of map a and one of map b.
 struct RoughMatch {
-  int a = 0;
-  int b = 0;
+  int a = 0;  ///< Box of map a.
+  int b = 0;  ///< Box of map b.
 };
 
 /// Whether heights and widths agree within the tolerance.

@@ -13,6 +13,7 @@ namespace sbox {
 
 /// A pose with its sine and cosine worked out once, to carry over many points.
 struct Transform {
+  /// From the pose of a frame.
   explicit Transform(const Pose2D& pose)
       : x(pose.x), y(pose.y), cosine(std::cos(pose.phi)), sine(std::sin(pose.phi)) {}
 
@@ -21,7 +22,10 @@ struct Transform {
     return {cosine * p.x - sine * p.y + x, sine * p.x + cosine * p.y + y};
   }
 
-  double x, y, cosine, sine;
+  double x;       ///< Of the pose, metres.
+  double y;       ///< Of the pose, metres.
+  double cosine;  ///< Of its angle.
+  double sine;    ///< Of its angle.
 };
 
 /// The rigid transform that takes `from[i]` closest to `to[i]`, by least squares: pose of the frame

@@ -11,6 +11,7 @@
 
 namespace sbox {
 
+/// What counts as perpendicular.
 struct VerticalPointOptions {
   double perpendicular_tolerance = M_PI / 60;  ///< Deviation from a right angle allowed, radians.
 };
@@ -19,7 +20,7 @@ struct VerticalPointOptions {
 struct VerticalPoint {
   Point2D position;  ///< In the lines' frame, metres.
   int line1 = 0;     ///< The lower index.
-  int line2 = 0;
+  int line2 = 0;     ///< The higher index.
 };
 
 /// The vertical points of all pairs of perpendicular lines, in the order of (line1, line2).

@@ -12,11 +12,12 @@ namespace sbox {
 
 /// Occupied cells beside a line without a large gap between them.
 struct WallStretch {
-  double begin = 0;  ///< Position along the line, metres: -x sin(theta) + y cos(theta).
-  double end = 0;
+  double begin = 0;           ///< Position along the line, metres: -x sin(theta) + y cos(theta).
+  double end = 0;             ///< Where it ends.
   std::vector<size_t> cells;  ///< Indices into the grid's cells.
 };
 
+/// What counts as wall along a line.
 struct StretchOptions {
   double min_length = 1.5;   ///< Shorter stretches are left out, metres.
   double max_gap = 0.3;      ///< Holes up to this do not end a stretch, metres.

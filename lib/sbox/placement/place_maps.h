@@ -16,11 +16,12 @@ namespace sbox {
 
 /// What is known about the maps with the indices a and b; a < b.
 struct MapPair {
-  int a = 0;
-  int b = 0;
-  PairResult result;
+  int a = 0;          ///< Index of the first map.
+  int b = 0;          ///< Index of the second map.
+  PairResult result;  ///< What matching them gave.
 };
 
+/// Which pairs join maps.
 struct PlacementOptions {
   double min_confidence = 0;  ///< Accepted pairs below this confidence join nothing; in [0, 1].
 };
@@ -39,10 +40,11 @@ struct MapGroup {
   std::vector<int> members;  ///< In ascending order; includes the reference.
 };
 
+/// Where all maps lie.
 struct PlacementResult {
-  std::vector<MapPlacement> maps;
-  std::vector<MapGroup> groups;  ///< By number: in the order of their first members.
-  int largest = 0;               ///< The group with most members; of equals the first.
+  std::vector<MapPlacement> maps;  ///< In the order of the input.
+  std::vector<MapGroup> groups;    ///< By number: in the order of their first members.
+  int largest = 0;                 ///< The group with most members; of equals the first.
 };
 
 /// Places `map_count` maps. A group's reference is `reference` where it is a member, else its first

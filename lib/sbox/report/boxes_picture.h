@@ -15,9 +15,9 @@ namespace sbox {
 
 /// What one side of the picture shows.
 struct BoxesOfMap {
-  const StateGrid* grid = nullptr;
+  const StateGrid* grid = nullptr;                             ///< Its cells, not owned.
   const std::vector<std::array<Point2D, 4>>* boxes = nullptr;  ///< In the map frame, metres.
-  std::string name;
+  std::string name;                                            ///< For the title above it.
 };
 
 /// Two maps side by side, each in its own frame, with the boxes that were matched: partners have

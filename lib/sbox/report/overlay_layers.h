@@ -15,6 +15,7 @@
 
 namespace sbox {
 
+/// How overlays are drawn.
 struct OverlayOptions {
   double agree_within = 0.2;    ///< Walls this near to each other agree, in metres.
   double conflict_depth = 0.3;  ///< A wall this deep in the other's free space conflicts, metres.
@@ -22,8 +23,8 @@ struct OverlayOptions {
 
 /// 255 where it holds, else 0 (8 bit, one channel).
 struct OverlayLayers {
-  GridRaster a;
-  GridRaster b;
+  GridRaster a;         ///< What map a covers.
+  GridRaster b;         ///< What map b covers.
   cv::Mat agreeing;     ///< Walls of one that have walls of the other close by.
   cv::Mat conflicting;  ///< Walls of one deep in free space of the other.
 };

@@ -16,7 +16,7 @@ namespace sbox {
 /// A PNG file to be.
 struct Picture {
   std::string file_name;  ///< No folder; distinct from all others, even without regard to case.
-  std::vector<unsigned char> png;
+  std::vector<unsigned char> png;  ///< The bytes of the file.
 };
 
 /// features_NAME.png of each map; for each map its most confident pair, whatever the verdict, as

@@ -17,17 +17,18 @@ enum class Swatch { Area, Line, Dot, Box, Ring };
 
 /// A line of the legend: what is drawn so means this.
 struct LegendEntry {
-  Swatch swatch = Swatch::Area;
-  palette::Colour colour;
-  std::string text;
+  Swatch swatch = Swatch::Area;  ///< How the sample is drawn.
+  palette::Colour colour;        ///< Of the sample.
+  std::string text;              ///< What it means.
 };
 
+/// Plots and what stands round them.
 struct Figure {
-  std::string title;
+  std::string title;                  ///< One line above the plots.
   std::vector<cv::Mat> plots;         ///< 8 bit, three channels, drawn at one scale.
   std::vector<std::string> captions;  ///< Under the plots; none or one for each.
   double pixels_per_metre = 1;        ///< Of all plots.
-  std::vector<LegendEntry> legend;
+  std::vector<LegendEntry> legend;    ///< Below the plots, wrapped to their width.
 };
 
 /// The longer side of the plots that a figure is laid out for, in pixels; the whole stays within

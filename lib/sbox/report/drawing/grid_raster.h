@@ -13,8 +13,8 @@ namespace sbox {
 
 /// 255 where the plot shows such a cell, else 0 (8 bit, one channel, the view's size).
 struct GridRaster {
-  cv::Mat free;
-  cv::Mat occupied;
+  cv::Mat free;      ///< Free cells.
+  cv::Mat occupied;  ///< Occupied cells.
 };
 
 /// The grid, whose map frame has the pose `pose_in_plot` in the plot's frame. Where a cell is

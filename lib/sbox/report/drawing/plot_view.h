@@ -14,9 +14,9 @@ namespace sbox {
 
 /// An axis-aligned part of the plane, in metres.
 struct Bounds {
-  Point2D low{0, 0};
-  Point2D high{0, 0};
-  bool empty = true;
+  Point2D low{0, 0};   ///< Lower-left corner.
+  Point2D high{0, 0};  ///< Upper-right corner.
+  bool empty = true;   ///< Nothing was included yet.
 
   /// Grows to hold the point.
   void add(const Point2D& point);
@@ -27,9 +27,9 @@ struct Bounds {
 
 /// Metres of the plot's frame to pixels; y up becomes y down.
 struct PlotView {
-  Point2D low;  ///< Lower-left corner of the plot, in metres.
-  double pixels_per_metre = 1;
-  cv::Size size;  ///< Of the plot, in pixels.
+  Point2D low;                  ///< Lower-left corner of the plot, in metres.
+  double pixels_per_metre = 1;  ///< The scale.
+  cv::Size size;                ///< Of the plot, in pixels.
 
   /// The point in pixels; whole numbers are pixel corners.
   [[nodiscard]] cv::Point2d toPixels(const Point2D& point) const;

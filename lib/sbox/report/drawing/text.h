@@ -11,11 +11,11 @@
 
 namespace sbox {
 
-/// Height of a capital letter, in pixels; the stroke follows.
+/// How text is drawn.
 struct TextStyle {
-  double cap_height = 22;
-  palette::Colour colour = palette::ink;
-  bool bold = false;
+  double cap_height = 22;  ///< Height of a capital letter, in pixels; the stroke follows.
+  palette::Colour colour = palette::ink;  ///< Of the strokes.
+  bool bold = false;                      ///< Wider strokes.
 };
 
 /// Width of the text, in pixels.

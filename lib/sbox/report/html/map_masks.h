@@ -13,9 +13,9 @@ namespace sbox::html {
 /// The cells of one map as two masks, which the page holds once and shows wherever the map appears.
 struct MapMasks {
   PlotView view;           ///< The part of the map frame that both show.
-  std::string free_class;  ///< CSS classes that hold the masks.
-  std::string wall_class;
-  std::string style;  ///< The CSS rules that define the classes.
+  std::string free_class;  ///< CSS class of the mask of free space.
+  std::string wall_class;  ///< That of the walls.
+  std::string style;       ///< The CSS rules that define the classes.
 };
 
 /// `name` starts the names of the classes; the longer side has up to `long_side` pixels.
