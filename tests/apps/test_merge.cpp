@@ -211,8 +211,9 @@ TEST_CASE("images take their cell size from --resolution") {
 
 TEST_CASE("the page and the transforms are written where something was merged") {
   const Floors floors;
-  REQUIRE(floors.run({"--in", "a.yaml", "b.yaml", "--html", "r.html", "--tf", "tf.yaml"})
-              .exit_code == 0);
+  REQUIRE(
+      floors.run({"--in", "a.yaml", "b.yaml", "--html", "r.html", "--tf", "tf.yaml"}).exit_code ==
+      0);
   checkContains(contents(floors.folder / "r.html"), "<title>2 of 2 maps merged</title>");
   checkContains(contents(floors.folder / "tf.yaml"), "child_frame_id: b/map");
   REQUIRE(floors.run({"--in", "a.yaml", "b.yaml", "--tf", "tf.sh"}).exit_code == 0);
