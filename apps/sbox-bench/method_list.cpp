@@ -7,6 +7,7 @@
 #include "sbox-bench/methods/correlation.h"
 #include "sbox-bench/methods/hough_matching.h"
 #include "sbox-bench/methods/keypoints.h"
+#include "sbox/match_pair.h"
 #include "sbox/paper/paper_method.h"
 
 namespace sbox::bench {
@@ -23,6 +24,12 @@ Method makeKeypoints(KeypointKind kind) {
   return keypointMethod(options);
 }
 
+Method makeBoxes() {
+  return makeMethod(
+      "boxes", [](const Map& map) { return extractFeatures(map); },
+      [](const MapFeatures& a, const MapFeatures& b) { return matchPair(a, b); });
+}
+
 Method makePaper() {
   return makeMethod(
       "paper", [](const Map& map) { return extractPaperFeatures(map); },
@@ -30,6 +37,7 @@ Method makePaper() {
 }
 
 constexpr Entry kMethods[] = {
+    {"boxes", [] { return makeBoxes(); }},
     {"paper", [] { return makePaper(); }},
     {"orb", [] { return makeKeypoints(KeypointKind::Orb); }},
     {"sift", [] { return makeKeypoints(KeypointKind::Sift); }},

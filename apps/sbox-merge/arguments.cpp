@@ -30,7 +30,7 @@ struct Texts {
   std::string fusion;
 };
 
-const std::map<std::string, Method> methods{{"paper", Method::Paper}};
+const std::map<std::string, Method> methods{{"boxes", Method::Boxes}, {"paper", Method::Paper}};
 const std::map<std::string, FusionRule> fusion_rules{{"logodds", FusionRule::LogOdds},
                                                      {"table", FusionRule::Table}};
 
@@ -85,8 +85,10 @@ void addChoices(CLI::App& app, Arguments& arguments, Texts& texts) {
       ->type_name("N");
   app.add_flag("--all-groups", arguments.merge.all_groups,
                "Write a merged map of each group of two or more, not only the largest");
-  app.add_option("--method", texts.method, "How pairs are matched (default paper)")
-      ->type_name("paper");
+  app.add_option("--method", texts.method,
+                 "How pairs are matched: corners and boxes propose and the cells decide, or the\n"
+                 "published method as it is printed (default boxes)")
+      ->type_name("boxes|paper");
   app.add_option("--fusion", texts.fusion,
                  "How cells are joined: the paper's table, or the sum of log-odds\n"
                  "(default logodds)")

@@ -14,6 +14,12 @@ namespace {
 /// Features of each map, then all pairs, by the method chosen.
 MatchedMaps match(const std::vector<Map>& maps, const MergeOptions& options,
                   const ProgressFunction& progress) {
+  if (options.method == Method::Boxes) {
+    return matchAll(
+        maps, [&](const Map& map) { return extractFeatures(map, options.pair.features); },
+        [&](const MapFeatures& a, const MapFeatures& b) { return matchPair(a, b, options.pair); },
+        options.threads, progress);
+  }
   return matchAll(
       maps, [&](const Map& map) { return extractPaperFeatures(map, options.paper); },
       [&](const PaperFeatures& a, const PaperFeatures& b) {

@@ -9,6 +9,7 @@
 
 #include "sbox/core/map.h"
 #include "sbox/fusion/fuse_maps.h"
+#include "sbox/match_pair.h"
 #include "sbox/merge_result.h"
 #include "sbox/paper/paper_method.h"
 #include "sbox/placement/place_maps.h"
@@ -18,12 +19,14 @@ namespace sbox {
 
 /// How pairs of maps are matched.
 enum class Method {
-  Paper  ///< The published method as it is printed; see paper_method.h.
+  Boxes,  ///< Corners and boxes propose, the cells decide; see match_pair.h.
+  Paper   ///< The published method as it is printed; see paper_method.h.
 };
 
 /// Options of every stage.
 struct MergeOptions {
-  Method method = Method::Paper;  ///< How pairs are matched.
+  Method method = Method::Boxes;  ///< How pairs are matched.
+  PairOptions pair;               ///< For Method::Boxes.
   PaperOptions paper;             ///< For Method::Paper.
   PlacementOptions placement;     ///< From pairs to groups.
   FusionOptions fusion;           ///< Its `threads` is replaced by the one below.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/config/describe_options.h"
 
+#include "sbox/config/describe_boxes.h"
 #include "sbox/config/describe_paper.h"
 #include "sbox/config/describe_states.h"
 
@@ -10,8 +11,10 @@ namespace sbox {
 OptionTable describeOptions(MergeOptions& options) {
   OptionTable table;
   table.section("merge");
-  table.choice<Method>("method", options.method, {{"paper", Method::Paper}},
+  table.choice<Method>("method", options.method,
+                       {{"boxes", Method::Boxes}, {"paper", Method::Paper}},
                        "How pairs of maps are matched");
+  describe(options.pair, table);
   describe(options.paper, table);
 
   table.section("placement");

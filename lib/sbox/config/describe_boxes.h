@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "sbox/config/option_table.h"
+#include "sbox/match_pair.h"
+
+namespace sbox {
+
+/// Lists the options of the default method in sections "features...", "matching..." and
+/// "verification...".
+void describe(PairOptions& options, OptionTable& table);
+
+}  // namespace sbox

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox/features/map_features.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace sbox {
+namespace {
+
+/// The items in an order in which any first n are spread over all of them: steps of the golden
+/// ratio round a circle.
+template <typename Item>
+std::vector<Item> scattered(const std::vector<Item>& items) {
+  const size_t count = items.size();
+  if (count < 3) {
+    return items;
+  }
+  auto step = static_cast<size_t>(std::lround(static_cast<double>(count) * 0.6180339887));
+  while (std::gcd(step, count) != 1) {
+    ++step;
+  }
+  std::vector<Item> result;
+  result.reserve(count);
+  for (size_t i = 0, at = 0; i < count; ++i, at = (at + step) % count) {
+    result.push_back(items[at]);
+  }
+  return result;
+}
+
+std::vector<Eigen::Vector2d> freePoints(const StateGrid& grid, double spacing) {
+  std::vector<Eigen::Vector2d> points;
+  const double step = spacing / grid.resolution;
+  for (double y = 0.5 * step; y < grid.height; y += step) {
+    for (double x = 0.5 * step; x < grid.width; x += step) {
+      const int column = static_cast<int>(x), row = static_cast<int>(y);
+      if (grid.at(column, row) == CellState::Free) {
+        points.push_back(Eigen::Vector2d(column + 0.5, row + 0.5) * grid.resolution);
+      }
+    }
+  }
+  return scattered(points);
+}
+
+/// FNV-1a over the cells' states.
+std::uint64_t digestOf(const StateGrid& grid) {
+  std::uint64_t digest = 14695981039346656037ULL + static_cast<std::uint64_t>(grid.width);
+  for (const CellState cell : grid.cells) {
+    digest = (digest ^ static_cast<std::uint64_t>(cell)) * 1099511628211ULL;
+  }
+  return digest;
+}
+
+Point2D toPoint(const Eigen::Vector2d& point) { return {point.x(), point.y()}; }
+
+/// What the frames hold, in the map frame.
+FeatureSet describe(const std::vector<FrameFeatures>& frames, const std::vector<WallLine>& lines,
+                    const Pose2D& grid_in_map) {
+  FeatureSet set;
+  const auto in_map = [&](const Eigen::Vector2d& point) {
+    return grid_in_map.composePoint(toPoint(point));
+  };
+  for (const WallLine& line : lines) {
+    set.lines.push_back({in_map(line.from), in_map(line.to)});
+  }
+  for (const FrameFeatures& frame : frames) {
+    const Eigen::Rotation2Dd to_grid(frame.frame.direction);
+    for (const WallCorner& corner : frame.corners) {
+      set.vertical_points.push_back(in_map(to_grid * corner.position));
+    }
+    for (const WallBox& box : frame.boxes) {
+      std::array<Point2D, 4>& corners = set.boxes.emplace_back();
+      for (size_t i = 0; i < 4; ++i) {
+        corners[i] = in_map(to_grid * box.corners[i]);
+      }
+    }
+  }
+  return set;
+}
+
+}  // namespace
+
+MapFeatures extractFeatures(const Map& map, const FeatureOptions& options) {
+  MapFeatures features;
+  const StateGrid cells = classifyCells(map, options.states);
+  features.resolution = map.resolution();
+  features.grid_in_map = cells.corner_in_map;
+  features.digest = digestOf(cells);
+  if (cells.empty()) {
+    return features;
+  }
+  const bool is_fine = cells.resolution < 0.75 * options.working_resolution;
+  const StateGrid grid = is_fine ? resample(cells, options.working_resolution) : cells;
+  features.width = grid.width * grid.resolution;
+  features.height = grid.height * grid.resolution;
+
+  // Section 3.1.1: wall lines, from the outline of free space.
+  const Walls walls =
+      findWalls(traceFreeContours(grid, options.contours), grid.resolution, options.walls);
+  features.wall_points = scattered(walls.points);
+  for (const WallPoint& point : features.wall_points) {
+    features.wall_directions.push_back(toByteAngle(std::atan2(point.normal.y(), point.normal.x())));
+  }
+  features.point_spacing = options.walls.point_spacing;
+  features.free_points = freePoints(grid, options.free_spacing);
+  features.free_point_area = options.free_spacing * options.free_spacing;
+  // Vertical points (eq. 1) and boxes (section 3.1.3, eq. 3) along each main direction.
+  for (const WallFrame& frame : findFrames(walls.lines, options.frames)) {
+    FrameFeatures of_frame;
+    of_frame.frame = frame;
+    of_frame.lines = linesOfFrame(walls.lines, frame, options.axis_lines);
+    of_frame.corners = findCorners(of_frame.lines, options.corners);
+    of_frame.boxes = findBoxes(of_frame.lines, options.boxes);
+    features.frames.push_back(std::move(of_frame));
+  }
+  features.fields = makeFields(grid, features.wall_points, options.fields);
+  features.feature_set = describe(features.frames, walls.lines, features.grid_in_map);
+  return features;
+}
+
+}  // namespace sbox

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// All that is known of one map before it meets another (section 3.1).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sbox/core/feature_set.h"
+#include "sbox/core/map.h"
+#include "sbox/core/state_grid.h"
+#include "sbox/features/axis_lines.h"
+#include "sbox/features/free_contours.h"
+#include "sbox/features/wall_boxes.h"
+#include "sbox/features/wall_corners.h"
+#include "sbox/features/wall_fields.h"
+#include "sbox/features/wall_frames.h"
+#include "sbox/features/wall_lines.h"
+
+namespace sbox {
+
+struct FeatureOptions {
+  StateOptions states;
+  double working_resolution = 0.1;  ///< Finer maps are read in cells of this size, metres.
+  double free_spacing = 0.4;        ///< Between the free points, metres.
+  ContourOptions contours;
+  WallLineOptions walls;
+  FrameOptions frames;
+  AxisLineOptions axis_lines;
+  CornerOptions corners;
+  BoxLimits boxes;
+  FieldOptions fields;
+};
+
+/// Lines, corners and boxes along one frame's axes.
+struct FrameFeatures {
+  WallFrame frame;
+  AxisLines lines;
+  std::vector<WallCorner> corners;
+  std::vector<WallBox> boxes;
+};
+
+/// Everything is in the grid frame: origin at the corner of the cropped grid, axes along its rows
+/// and columns, metres.
+struct MapFeatures {
+  FeatureSet feature_set;                    ///< For reports and pictures; in the map frame.
+  Pose2D grid_in_map;                        ///< The grid frame in the map frame.
+  double resolution = 0;                     ///< Of the map's own cells, metres.
+  double width = 0;                          ///< Of the known part, metres.
+  double height = 0;                         ///< Of the known part, metres.
+  std::vector<WallPoint> wall_points;        ///< Scattered, so that the first n are spread evenly.
+  std::vector<ByteAngle> wall_directions;    ///< Of each wall point's normal.
+  double point_spacing = 0;                  ///< Length of wall that each stands for, metres.
+  std::vector<Eigen::Vector2d> free_points;  ///< On a square lattice in free space; scattered too.
+  double free_point_area = 0;                ///< Area that each stands for, square metres.
+  std::vector<FrameFeatures> frames;         ///< The strongest first.
+  WallFields fields;
+  std::uint64_t digest = 0;  ///< Of the cells: orders a pair of maps whichever way it was given.
+
+  [[nodiscard]] bool empty() const { return wall_points.empty(); }
+};
+
+[[nodiscard]] MapFeatures extractFeatures(const Map& map, const FeatureOptions& options = {});
+
+}  // namespace sbox

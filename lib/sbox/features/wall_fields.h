@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Likelihood fields of a map: how far from any place the nearest wall is that faces a given way,
+// and how deep in free space the place lies. One lookup a point tells whether a wall of another map
+// could stand there. Directed, as the two faces of one wall are seen from different rooms.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sbox/core/state_grid.h"
+#include "sbox/features/wall_lines.h"
+
+namespace sbox {
+
+struct FieldOptions {
+  double resolution = 0.2;     ///< Of the fields' cells, metres.
+  double reach = 2.0;          ///< Walls further off are as good as none, metres.
+  double sector_overlap = 12;  ///< Normals this far beyond a sector still belong to it, degrees.
+};
+
+/// Facing directions are told apart in eight sectors of 45 degrees; sector 0 is round +x.
+constexpr int kSectors = 8;
+
+/// Directions in units of a 256th of a turn, so that sums wrap round by themselves.
+using ByteAngle = std::uint8_t;
+[[nodiscard]] ByteAngle toByteAngle(double radians);
+[[nodiscard]] inline int sectorOf(ByteAngle direction) {
+  return static_cast<std::uint8_t>(direction + 16) >> 5;
+}
+
+struct WallFields {
+  static constexpr double unit = 0.01;      ///< Of the distances below, metres.
+  static constexpr std::uint8_t far = 255;  ///< No wall within reach.
+
+  int width = 0;
+  int height = 0;
+  double resolution = 0;
+  Eigen::Vector2d origin;  ///< Corner of cell (0, 0) in the grid frame: the fields have a margin.
+  /// Byte s of a cell: distance from its centre to the nearest wall point that faces sector s.
+  std::vector<std::uint64_t> distances;
+  /// The index of that wall point, or -1; entry 8 * cell + s.
+  std::vector<std::int32_t> nearest;
+  /// Distance to the nearest cell that is not free; 0 where the cell itself is not.
+  std::vector<std::uint8_t> free_depth;
+
+  /// Index of the cell that holds a point of the grid frame, or -1 outside.
+  [[nodiscard]] std::ptrdiff_t cellAt(double x, double y) const {
+    const double column = (x - origin.x()) / resolution, row = (y - origin.y()) / resolution;
+    if (!(column >= 0 && row >= 0 && column < width && row < height)) {
+      return -1;
+    }
+    return static_cast<std::ptrdiff_t>(row) * width + static_cast<std::ptrdiff_t>(column);
+  }
+};
+
+[[nodiscard]] WallFields makeFields(const StateGrid& grid, const std::vector<WallPoint>& points,
+                                    const FieldOptions& options = {});
+
+}  // namespace sbox

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox/match_pair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "sbox/stopwatch.h"
+
+namespace sbox {
+namespace {
+
+constexpr size_t kMostAlternatives = 5;
+
+/// The pose of the map frame of b in that of a.
+Pose2D framePose(const MapFeatures& a, const MapFeatures& b, const Transform& b_in_a) {
+  const Pose2D grid_b_in_grid_a(b_in_a.translation.x(), b_in_a.translation.y(), b_in_a.heading);
+  Pose2D pose = a.grid_in_map + grid_b_in_grid_a + inverse(b.grid_in_map);
+  pose.phi = wrapAngle(pose.phi);
+  return pose;
+}
+
+/// Fits of the hypotheses that features propose and, unless these leave no doubt, of those that a
+/// full search finds; the most probable first.
+std::vector<Fit> searchFits(const MapFeatures& a, const MapFeatures& b, const PairOptions& options,
+                            PairSeconds& seconds) {
+  // Section 3.2, rough match and eq. 4: corners and boxes vote.
+  Stopwatch stopwatch;
+  std::vector<Hypothesis> hypotheses = voteForTransforms(a, b, options.votes);
+  seconds.matching = stopwatch.seconds();
+  stopwatch = Stopwatch();
+  std::vector<Fit> fits = rankHypotheses(a, b, hypotheses, options.ranking);
+  judge(fits);
+  seconds.verification = stopwatch.seconds();
+  if (!fits.empty() && fits.front().probability >= options.sure) {
+    return fits;
+  }
+  // What no corner or box proposes.
+  stopwatch = Stopwatch();
+  hypotheses = searchByCorrelation(a, b, options.correlation);
+  seconds.matching += stopwatch.seconds();
+  stopwatch = Stopwatch();
+  for (const Fit& fit : fits) {
+    hypotheses.push_back({fit.b_in_a, 0});
+  }
+  fits = rankHypotheses(a, b, hypotheses, options.ranking);
+  judge(fits);
+  seconds.verification += stopwatch.seconds();
+  return fits;
+}
+
+PairResult matchInOrder(const MapFeatures& a, const MapFeatures& b, const PairOptions& options) {
+  PairResult result;
+  if (a.empty() || b.empty()) {
+    result.reason = a.empty() && b.empty()
+                        ? "neither map has a wall with free space beside it"
+                        : "one of the maps has no wall with free space beside it";
+    return result;
+  }
+  const std::vector<Fit> fits = searchFits(a, b, options, result.seconds);
+  const Verdicted verdicted = decide(fits, options.verdict);
+  result.verdict = verdicted.verdict;
+  result.reason = verdicted.reason;
+  if (fits.empty()) {
+    return result;
+  }
+  const Fit& best = fits.front();
+  result.has_pose = true;
+  result.pose_b_in_a = framePose(a, b, best.b_in_a);
+  result.confidence = best.probability;
+  result.overlap_m2 = best.evidence.free_free;
+  for (const BoxMatch& match : matchBoxes(a, b, best.b_in_a, best.drift, options.box_match)) {
+    result.matched_boxes.emplace_back(match.a, match.b);
+  }
+  for (size_t i = 1; i < fits.size() && i <= kMostAlternatives; ++i) {
+    result.alternatives.push_back({framePose(a, b, fits[i].b_in_a), fits[i].probability});
+  }
+  return result;
+}
+
+/// The result for (b, a) from that for (a, b).
+PairResult exchanged(PairResult result) {
+  if (!result.has_pose) {
+    return result;
+  }
+  result.covariance = inverseCovariance(result.pose_b_in_a, result.covariance);
+  result.pose_b_in_a = inverse(result.pose_b_in_a);
+  for (std::optional<Pose2D>* pose : {&result.kalman, &result.ceres}) {
+    if (*pose) {
+      *pose = inverse(**pose);
+    }
+  }
+  for (Candidate& alternative : result.alternatives) {
+    alternative.pose_b_in_a = inverse(alternative.pose_b_in_a);
+  }
+  for (std::pair<int, int>& match : result.matched_boxes) {
+    std::swap(match.first, match.second);
+  }
+  return result;
+}
+
+}  // namespace
+
+PairResult matchPair(const MapFeatures& a, const MapFeatures& b, const PairOptions& options) {
+  // Each pair is matched in one order, whichever way round it is given.
+  const auto order = [](const MapFeatures& map) {
+    return std::make_tuple(map.digest, map.width, map.height, map.grid_in_map.x, map.grid_in_map.y,
+                           map.grid_in_map.phi);
+  };
+  return order(b) < order(a) ? exchanged(matchInOrder(b, a, options)) : matchInOrder(a, b, options);
+}
+
+}  // namespace sbox

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The default method for two maps: corners and boxes propose transforms, the cells decide.
+#pragma once
+
+#include "sbox/core/pair_result.h"
+#include "sbox/features/map_features.h"
+#include "sbox/matching/correlation_search.h"
+#include "sbox/matching/feature_votes.h"
+#include "sbox/matching/matched_boxes.h"
+#include "sbox/verification/rank_hypotheses.h"
+#include "sbox/verification/verdict.h"
+
+namespace sbox {
+
+struct PairOptions {
+  FeatureOptions features;
+  VoteOptions votes;
+  CorrelationSearchOptions correlation;
+  double sure = 0.98;  ///< Probability from which the search ends with what the features proposed.
+  RankingOptions ranking;
+  VerdictOptions verdict;
+  BoxMatchOptions box_match;
+};
+
+/// Matches two maps by their features. What can't be matched is refused; exchanging the maps gives
+/// the inverse, exactly.
+[[nodiscard]] PairResult matchPair(const MapFeatures& a, const MapFeatures& b,
+                                   const PairOptions& options = {});
+
+}  // namespace sbox

@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox/matching/correlation_search.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <opencv2/core.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "sbox/verification/plausibility.h"
+
+namespace sbox {
+namespace {
+
+/// Coarse pictures of a map turned by a heading, float, row 0 lowest.
+struct Pictures {
+  cv::Mat facing_x, facing_y;  ///< Wall in metres times its normal.
+  cv::Mat wall;                ///< Metres.
+  cv::Mat conflict;            ///< Share of the cell in which a wall would be in conflict.
+  cv::Mat free;                ///< Share of the cell that is free.
+};
+
+/// Where the pictures of a turned map lie.
+struct Canvas {
+  Eigen::Vector2d low;  ///< Of the picture's lower-left corner, metres.
+  cv::Size size;
+  double resolution = 0;
+};
+
+Canvas canvasFor(const MapFeatures& map, double heading, double resolution) {
+  const Eigen::Rotation2Dd turn(heading);
+  Eigen::Vector2d low = Eigen::Vector2d::Zero(), high = low;
+  for (const Eigen::Vector2d& corner :
+       {Eigen::Vector2d(map.width, 0), Eigen::Vector2d(0, map.height),
+        Eigen::Vector2d(map.width, map.height)}) {
+    const Eigen::Vector2d p = turn * corner;
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const Eigen::Vector2d cells = (high - low) / resolution;
+  return {low,
+          {static_cast<int>(std::ceil(cells.x())) + 1, static_cast<int>(std::ceil(cells.y())) + 1},
+          resolution};
+}
+
+Pictures draw(const MapFeatures& map, double heading, const Canvas& canvas, const cv::Size& size) {
+  Pictures pictures;
+  for (cv::Mat* picture : {&pictures.facing_x, &pictures.facing_y, &pictures.wall,
+                           &pictures.conflict, &pictures.free}) {
+    *picture = cv::Mat::zeros(size, CV_32F);
+  }
+  const Eigen::Rotation2Dd turn(heading);
+  const auto cellOf = [&](const Eigen::Vector2d& point) {
+    const Eigen::Vector2d place = (turn * point - canvas.low) / canvas.resolution;
+    return cv::Point(std::clamp(static_cast<int>(place.x()), 0, canvas.size.width - 1),
+                     std::clamp(static_cast<int>(place.y()), 0, canvas.size.height - 1));
+  };
+  for (const WallPoint& point : map.wall_points) {
+    const cv::Point cell = cellOf(point.position);
+    const Eigen::Vector2d normal = turn * point.normal * map.point_spacing;
+    pictures.facing_x.at<float>(cell) += static_cast<float>(normal.x());
+    pictures.facing_y.at<float>(cell) += static_cast<float>(normal.y());
+    pictures.wall.at<float>(cell) += static_cast<float>(map.point_spacing);
+  }
+  const auto share =
+      static_cast<float>(map.free_point_area / (canvas.resolution * canvas.resolution));
+  for (const Eigen::Vector2d& point : map.free_points) {
+    const cv::Point cell = cellOf(point);
+    const std::ptrdiff_t k = map.fields.cellAt(point.x(), point.y());
+    const double depth =
+        k < 0 ? 0 : map.fields.free_depth[static_cast<size_t>(k)] * WallFields::unit;
+    pictures.free.at<float>(cell) += share;
+    pictures.conflict.at<float>(cell) += share * static_cast<float>(conflictWeight(depth));
+  }
+  return pictures;
+}
+
+/// From wall per cell to how well a wall there agrees: the distance kernel is 1 on the wall.
+void blurToAgreement(Pictures& pictures, double sigma, double resolution) {
+  const double scale = std::sqrt(2 * M_PI) * sigma / (resolution * resolution);
+  for (cv::Mat* picture : {&pictures.facing_x, &pictures.facing_y}) {
+    cv::GaussianBlur(*picture, *picture, {}, sigma / resolution, 0, cv::BORDER_CONSTANT);
+    *picture *= scale;
+    cv::max(cv::min(*picture, 1.0), -1.0, *picture);
+  }
+}
+
+cv::Mat spectrum(const cv::Mat& picture) {
+  cv::Mat result;
+  cv::dft(picture, result);
+  return result;
+}
+
+struct Spectra {
+  cv::Mat facing_x, facing_y, wall, conflict, free;
+
+  explicit Spectra(const Pictures& pictures)
+      : facing_x(spectrum(pictures.facing_x)),
+        facing_y(spectrum(pictures.facing_y)),
+        wall(spectrum(pictures.wall)),
+        conflict(spectrum(pictures.conflict)),
+        free(spectrum(pictures.free)) {}
+};
+
+/// For each shift the sum over all cells of a(cell + shift) b(cell), of one or two pairs.
+cv::Mat correlate(const cv::Mat& a, const cv::Mat& b, const cv::Mat& second_a = {},
+                  const cv::Mat& second_b = {}) {
+  cv::Mat product, result;
+  cv::mulSpectrums(a, b, product, 0, true);
+  if (!second_a.empty()) {
+    cv::Mat second;
+    cv::mulSpectrums(second_a, second_b, second, 0, true);
+    product += second;
+  }
+  cv::dft(product, result, cv::DFT_INVERSE | cv::DFT_SCALE | cv::DFT_REAL_OUTPUT);
+  return result;
+}
+
+/// The most plausible shifts, none near a better one.
+std::vector<std::pair<double, cv::Point>> bestShifts(const cv::Mat& scores, int count, int radius) {
+  // A shift counts if nothing about it is better: dilation finds these at once.
+  cv::Mat highest;
+  cv::dilate(scores, highest,
+             cv::getStructuringElement(cv::MORPH_RECT, {2 * radius + 1, 2 * radius + 1}));
+  std::vector<std::pair<double, cv::Point>> found;
+  for (int y = 0; y < scores.rows; ++y) {
+    const auto* score = scores.ptr<float>(y);
+    const auto* high = highest.ptr<float>(y);
+    for (int x = 0; x < scores.cols; ++x) {
+      if (score[x] >= high[x] && score[x] > static_cast<float>(kImplausible)) {
+        found.emplace_back(score[x], cv::Point(x, y));
+      }
+    }
+  }
+  const auto better = [](const auto& left, const auto& right) {
+    return std::make_tuple(-left.first, left.second.y, left.second.x) <
+           std::make_tuple(-right.first, right.second.y, right.second.x);
+  };
+  std::sort(found.begin(), found.end(), better);
+  found.resize(std::min(found.size(), static_cast<size_t>(count)));
+  return found;
+}
+
+}  // namespace
+
+std::vector<Hypothesis> searchByCorrelation(const MapFeatures& a, const MapFeatures& b,
+                                            const CorrelationSearchOptions& options) {
+  const double largest = std::max({a.width, a.height, std::hypot(b.width, b.height)});
+  const double resolution = std::max(options.resolution, largest / options.most_cells);
+  const double blur = std::max(options.wall_blur, 0.8 * resolution);
+  const Canvas canvas_a = canvasFor(a, 0, resolution);
+  const int side_b = static_cast<int>(std::ceil(std::hypot(b.width, b.height) / resolution)) + 2;
+  const cv::Size size(cv::getOptimalDFTSize(canvas_a.size.width + side_b),
+                      cv::getOptimalDFTSize(canvas_a.size.height + side_b));
+  Pictures pictures_a = draw(a, 0, canvas_a, size);
+  blurToAgreement(pictures_a, blur, resolution);
+  const Spectra spectra_a(pictures_a);
+  const double wall =
+      a.point_spacing * static_cast<double>(a.wall_points.size() + b.wall_points.size());
+  const double free = std::min(a.free_point_area * static_cast<double>(a.free_points.size()),
+                               b.free_point_area * static_cast<double>(b.free_points.size()));
+
+  std::vector<Hypothesis> hypotheses;
+  for (const double heading : findHeadings(a, b, options.headings)) {
+    const Canvas canvas_b = canvasFor(b, heading, resolution);
+    const Spectra spectra_b(draw(b, heading, canvas_b, size));
+    const cv::Mat agree =
+        correlate(spectra_a.facing_x, spectra_b.facing_x, spectra_a.facing_y, spectra_b.facing_y);
+    const cv::Mat known = correlate(spectra_a.free, spectra_b.wall, spectra_a.wall, spectra_b.free);
+    const cv::Mat conflict =
+        correlate(spectra_a.conflict, spectra_b.wall, spectra_a.wall, spectra_b.conflict);
+    const cv::Mat free_free = correlate(spectra_a.free, spectra_b.free);
+    cv::Mat scores(size, CV_32F);
+    for (int y = 0; y < size.height; ++y) {
+      for (int x = 0; x < size.width; ++x) {
+        Evidence evidence;
+        evidence.agree = 2 * std::max(0.F, agree.at<float>(y, x));
+        evidence.known = std::max(0.F, known.at<float>(y, x)) + evidence.agree;
+        evidence.conflict = std::max(0.F, conflict.at<float>(y, x));
+        evidence.free_free = std::max(0.F, free_free.at<float>(y, x)) * resolution * resolution;
+        evidence.wall = wall;
+        evidence.free = free;
+        scores.at<float>(y, x) = static_cast<float>(plausibility(evidence));
+      }
+    }
+    const int radius = std::max(1, static_cast<int>(options.separation / resolution));
+    for (const auto& [score, place] : bestShifts(scores, options.per_heading, radius)) {
+      // Shifts to the left or down come out wrapped round.
+      const int shift_x = place.x >= canvas_a.size.width ? place.x - size.width : place.x;
+      const int shift_y = place.y >= canvas_a.size.height ? place.y - size.height : place.y;
+      const Eigen::Vector2d shift = Eigen::Vector2d(shift_x, shift_y) * resolution;
+      hypotheses.push_back({{heading, canvas_a.low + shift - canvas_b.low}, score});
+    }
+  }
+  std::stable_sort(
+      hypotheses.begin(), hypotheses.end(),
+      [](const Hypothesis& left, const Hypothesis& right) { return left.votes > right.votes; });
+  return hypotheses;
+}
+
+}  // namespace sbox

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Exhaustive search for what no corner or box proposes: the evidence of every translation at once,
+// by correlating coarse pictures of both maps (fast Fourier transform), heading by heading.
+#pragma once
+
+#include <vector>
+
+#include "sbox/features/map_features.h"
+#include "sbox/matching/heading_candidates.h"
+#include "sbox/matching/hypothesis.h"
+
+namespace sbox {
+
+struct CorrelationSearchOptions {
+  HeadingOptions headings;
+  double resolution = 0.6;  ///< Of the pictures' cells, metres; coarser where maps are large ...
+  int most_cells = 256;     ///< ... so that no map is more than this many cells wide or high.
+  double wall_blur = 0.5;   ///< Standard deviation at which walls agree, metres.
+  double separation = 1.5;  ///< Between two translations of one heading, metres.
+  int per_heading = 20;     ///< Translations kept of each heading.
+};
+
+/// The most plausible translations of each heading, all headings together in descending order.
+[[nodiscard]] std::vector<Hypothesis> searchByCorrelation(
+    const MapFeatures& a, const MapFeatures& b, const CorrelationSearchOptions& options = {});
+
+}  // namespace sbox

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox/refinement/wall_alignment.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+namespace sbox {
+namespace {
+
+/// Normal equations of the step (dx, dy, dheading about the pivot), in the frame of map a.
+struct Normals {
+  Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d vector = Eigen::Vector3d::Zero();
+
+  /// `point` should move to the line through `target` with this normal; `arm` is its place about
+  /// the pivot.
+  void add(const Eigen::Vector2d& offset, const Eigen::Vector2d& normal, const Eigen::Vector2d& arm,
+           double squared_kernel) {
+    const double residual = normal.dot(offset);
+    const double scale = squared_kernel / (squared_kernel + offset.squaredNorm());
+    const Eigen::Vector3d jacobian(normal.x(), normal.y(),
+                                   normal.y() * arm.x() - normal.x() * arm.y());
+    const double weight = scale * scale;
+    matrix += weight * jacobian * jacobian.transpose();
+    vector += weight * residual * jacobian;
+  }
+};
+
+}  // namespace
+
+Transform alignWalls(const MapFeatures& a, const MapFeatures& b, const Transform& start,
+                     const AlignmentOptions& options) {
+  const double squared_kernel = options.kernel * options.kernel;
+  Transform b_in_a = start;
+  const Eigen::Vector2d centre_b(b.width / 2, b.height / 2);
+  for (int iteration = 0; iteration < options.iterations; ++iteration) {
+    const Eigen::Rotation2Dd turn(b_in_a.heading);
+    const Transform a_in_b = b_in_a.inverse();
+    const Eigen::Vector2d pivot = b_in_a * centre_b;
+    const ByteAngle byte_turn = toByteAngle(b_in_a.heading);
+    Normals normals;
+    const size_t count_b = std::min(options.most_points, b.wall_points.size());
+    for (size_t i = 0; i < count_b; ++i) {
+      const Eigen::Vector2d p = b_in_a * b.wall_points[i].position;
+      const std::ptrdiff_t cell = a.fields.cellAt(p.x(), p.y());
+      if (cell < 0) {
+        continue;
+      }
+      const int sector = sectorOf(static_cast<ByteAngle>(b.wall_directions[i] + byte_turn));
+      const std::int32_t nearest = a.fields.nearest[static_cast<size_t>(cell * kSectors + sector)];
+      if (nearest >= 0) {
+        const WallPoint& target = a.wall_points[static_cast<size_t>(nearest)];
+        normals.add(target.position - p, target.normal, p - pivot, squared_kernel);
+      }
+    }
+    const size_t count_a = std::min(options.most_points, a.wall_points.size());
+    for (size_t i = 0; i < count_a; ++i) {
+      const Eigen::Vector2d in_b = a_in_b * a.wall_points[i].position;
+      const std::ptrdiff_t cell = b.fields.cellAt(in_b.x(), in_b.y());
+      if (cell < 0) {
+        continue;
+      }
+      const int sector = sectorOf(static_cast<ByteAngle>(a.wall_directions[i] - byte_turn));
+      const std::int32_t nearest = b.fields.nearest[static_cast<size_t>(cell * kSectors + sector)];
+      if (nearest >= 0) {
+        // The wall of b is what moves.
+        const WallPoint& source = b.wall_points[static_cast<size_t>(nearest)];
+        const Eigen::Vector2d moved = b_in_a * source.position;
+        normals.add(a.wall_points[i].position - moved, turn * source.normal, moved - pivot,
+                    squared_kernel);
+      }
+    }
+    // A hand's breadth of damping keeps what nothing fixes where it was.
+    normals.matrix.diagonal() += Eigen::Vector3d(1e-3, 1e-3, 1e-2);
+    const Eigen::Vector3d step = normals.matrix.ldlt().solve(normals.vector);
+    b_in_a.heading += step.z();
+    b_in_a.translation = pivot + step.head<2>() - Eigen::Rotation2Dd(b_in_a.heading) * centre_b;
+    if (step.head<2>().norm() < 1e-3 && std::abs(step.z()) < 1e-4) {
+      break;
+    }
+  }
+  return b_in_a;
+}
+
+}  // namespace sbox

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Iterative closest points between the walls of two maps: each wall point is drawn to the line of
+// the nearest wall of the other map that faces the same way, in both directions at once.
+#pragma once
+
+#include "sbox/features/map_features.h"
+#include "sbox/matching/hypothesis.h"
+
+namespace sbox {
+
+struct AlignmentOptions {
+  double kernel = 1.25;  ///< Scale of the robust kernel, metres: walls further off count little.
+  int iterations = 10;   ///< At most.
+  size_t most_points = 600;  ///< Wall points used of each map.
+};
+
+/// The transform improved from `start` by Gauss-Newton with a Geman-McClure kernel.
+[[nodiscard]] Transform alignWalls(const MapFeatures& a, const MapFeatures& b,
+                                   const Transform& start, const AlignmentOptions& options = {});
+
+}  // namespace sbox

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox/verification/evidence.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace sbox {
+namespace {
+
+/// Weights by quantised distance or depth.
+struct WeightTables {
+  std::array<double, 256> wide{};
+  std::array<double, 256> tight{};
+  std::array<double, 256> conflict{};
+
+  explicit WeightTables(const EvidenceOptions& options) {
+    for (int i = 0; i < 255; ++i) {
+      const double metres = i * WallFields::unit;
+      const auto gauss = [&](double sigma) {
+        return std::exp(-0.5 * metres * metres / (sigma * sigma));
+      };
+      wide[static_cast<size_t>(i)] = gauss(options.wide);
+      tight[static_cast<size_t>(i)] = gauss(options.tight);
+    }
+    for (int i = 0; i < 256; ++i) {
+      conflict[static_cast<size_t>(i)] = conflictWeight(i * WallFields::unit, options);
+    }
+  }
+};
+
+struct OneWay {
+  Eigen::Matrix2d facing = Eigen::Matrix2d::Zero();  ///< In the frame of the walls' own map.
+  double known = 0, agree = 0, tight = 0, conflict = 0, wall = 0, free_free = 0, free = 0;
+};
+
+/// The walls and free space of `from` looked up in the fields of `to`; `place` tells where a point
+/// of the one lies in the other.
+template <typename Place>
+OneWay lookUp(const MapFeatures& from, const MapFeatures& to, double heading, const Place& place,
+              size_t most_points, const WeightTables& tables) {
+  const WallFields& fields = to.fields;
+  const ByteAngle turn = toByteAngle(heading);
+  OneWay sum;
+  const size_t walls = std::min(most_points, from.wall_points.size());
+  for (size_t i = 0; i < walls; ++i) {
+    const Eigen::Vector2d p = place(from.wall_points[i].position);
+    const std::ptrdiff_t cell = fields.cellAt(p.x(), p.y());
+    if (cell < 0) {
+      continue;
+    }
+    const auto k = static_cast<size_t>(cell);
+    const int sector = sectorOf(static_cast<ByteAngle>(from.wall_directions[i] + turn));
+    const auto distance = static_cast<std::uint8_t>(fields.distances[k] >> (8 * sector));
+    const std::uint8_t depth = fields.free_depth[k];
+    const double agree = tables.wide[distance];
+    sum.agree += agree;
+    const Eigen::Vector2d& normal = from.wall_points[i].normal;
+    sum.facing += agree * normal * normal.transpose();
+    sum.tight += tables.tight[distance];
+    sum.conflict += tables.conflict[depth] * (1 - agree);
+    sum.known += depth > 0 ? 1 : agree;
+  }
+  sum.wall = from.point_spacing * static_cast<double>(from.wall_points.size());
+  const double per_point = walls > 0 ? sum.wall / static_cast<double>(walls) : 0;
+  sum.facing *= per_point;
+  for (double* length : {&sum.agree, &sum.tight, &sum.conflict, &sum.known}) {
+    *length *= per_point;
+  }
+
+  const size_t free = std::min(most_points, from.free_points.size());
+  for (size_t i = 0; i < free; ++i) {
+    const Eigen::Vector2d p = place(from.free_points[i]);
+    const std::ptrdiff_t cell = fields.cellAt(p.x(), p.y());
+    sum.free_free += cell >= 0 && fields.free_depth[static_cast<size_t>(cell)] > 0 ? 1 : 0;
+  }
+  sum.free = from.free_point_area * static_cast<double>(from.free_points.size());
+  sum.free_free *= free > 0 ? sum.free / static_cast<double>(free) : 0;
+  return sum;
+}
+
+/// A rigid transform with its sine and cosine at hand.
+struct RigidPlace {
+  double c, s, x, y;
+
+  explicit RigidPlace(const Transform& t)
+      : c(std::cos(t.heading)),
+        s(std::sin(t.heading)),
+        x(t.translation.x()),
+        y(t.translation.y()) {}
+  Eigen::Vector2d operator()(const Eigen::Vector2d& p) const {
+    return {c * p.x() - s * p.y() + x, s * p.x() + c * p.y() + y};
+  }
+};
+
+Evidence sumUp(const OneWay& there, const OneWay& back, double heading) {
+  Evidence evidence;
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(heading).toRotationMatrix();
+  evidence.facing = turn * there.facing * turn.transpose() + back.facing;
+  evidence.known = there.known + back.known;
+  evidence.agree = there.agree + back.agree;
+  evidence.tight = there.tight + back.tight;
+  evidence.conflict = there.conflict + back.conflict;
+  evidence.wall = there.wall + back.wall;
+  evidence.free_free = 0.5 * (there.free_free + back.free_free);
+  evidence.free = std::min(there.free, back.free);
+  return evidence;
+}
+
+}  // namespace
+
+double conflictWeight(double depth, const EvidenceOptions& options) {
+  return std::clamp(
+      (depth - options.conflict_from) / (options.conflict_full - options.conflict_from), 0.0, 1.0);
+}
+
+Evidence gatherEvidence(const MapFeatures& a, const MapFeatures& b, const Transform& b_in_a,
+                        size_t most_points, const EvidenceOptions& options) {
+  const WeightTables tables(options);
+  return sumUp(lookUp(b, a, b_in_a.heading, RigidPlace(b_in_a), most_points, tables),
+               lookUp(a, b, -b_in_a.heading, RigidPlace(b_in_a.inverse()), most_points, tables),
+               b_in_a.heading);
+}
+
+Evidence gatherEvidence(const MapFeatures& a, const MapFeatures& b, const Transform& b_in_a,
+                        const DriftField& drift, const EvidenceOptions& options) {
+  const WeightTables tables(options);
+  const RigidPlace to_a(b_in_a), to_b(b_in_a.inverse());
+  const auto bent_to_a = [&](const Eigen::Vector2d& p) {
+    const Eigen::Vector2d rigid = to_a(p);
+    return Eigen::Vector2d(rigid + drift.at(rigid));
+  };
+  const auto bent_to_b = [&](const Eigen::Vector2d& p) { return to_b(p - drift.at(p)); };
+  return sumUp(lookUp(b, a, b_in_a.heading, bent_to_a, kAllPoints, tables),
+               lookUp(a, b, -b_in_a.heading, bent_to_b, kAllPoints, tables), b_in_a.heading);
+}
+
+}  // namespace sbox

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the cells of two maps say of a transform: how much wall of one stands on wall of the other
+// that faces the same way, how much stands where the other saw free space, and how much free space
+// they share.
+#pragma once
+
+#include <limits>
+
+#include "sbox/features/map_features.h"
+#include "sbox/matching/hypothesis.h"
+#include "sbox/refinement/drift_field.h"
+
+namespace sbox {
+
+struct EvidenceOptions {
+  double wide = 0.5;           ///< Standard deviation at which walls agree in drifted maps, metres.
+  double tight = 0.12;         ///< The same in maps without drift, metres.
+  double conflict_from = 0.3;  ///< Depth in free space at which a wall begins to conflict, metres.
+  double conflict_full = 1.0;  ///< Depth from which it conflicts fully, metres.
+};
+
+/// Sums over both maps; lengths of wall in metres, each map's walls counted once.
+struct Evidence {
+  double known = 0;     ///< Wall that lies where the other map knows something.
+  double agree = 0;     ///< Wall on wall that faces the same way, weighed by the wide kernel.
+  double tight = 0;     ///< The same with the tight kernel.
+  double conflict = 0;  ///< Wall deep in the other's free space.
+  double wall = 0;      ///< All wall looked at.
+  /// Agreeing wall by the direction it faces: the sum of agree n n^T over unit normals n in map a.
+  /// A small eigenvalue means that walls hardly fix the shift along its direction.
+  Eigen::Matrix2d facing = Eigen::Matrix2d::Zero();
+  double free_free = 0;  ///< Area free in both, square metres (mean of both counts).
+  double free = 0;       ///< Free area of the map that has less, square metres.
+};
+
+/// Weight of a wall this deep (metres) in free space as a conflict, from 0 to 1.
+[[nodiscard]] double conflictWeight(double depth, const EvidenceOptions& options = {});
+
+constexpr size_t kAllPoints = std::numeric_limits<size_t>::max();
+
+/// Asks the first `most_points` wall points (and as many free points) of each map; sums are scaled
+/// up to all of them.
+[[nodiscard]] Evidence gatherEvidence(const MapFeatures& a, const MapFeatures& b,
+                                      const Transform& b_in_a, size_t most_points = kAllPoints,
+                                      const EvidenceOptions& options = {});
+
+/// The same of all points once the drift between the maps is taken out.
+[[nodiscard]] Evidence gatherEvidence(const MapFeatures& a, const MapFeatures& b,
+                                      const Transform& b_in_a, const DriftField& drift,
+                                      const EvidenceOptions& options = {});
+
+}  // namespace sbox

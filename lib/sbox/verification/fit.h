@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "sbox/matching/hypothesis.h"
+#include "sbox/refinement/drift_field.h"
+#include "sbox/verification/evidence.h"
+
+namespace sbox {
+
+/// A hypothesis that was aligned to the walls, and what the cells say of it.
+struct Fit {
+  Transform b_in_a;
+  Evidence evidence;       ///< Of the rigid transform.
+  DriftField drift;        ///< How the maps are bent against each other under it.
+  Evidence bent_evidence;  ///< With the drift taken out, on a narrow scale.
+  double log_odds = 0;     ///< See judge(): that this fit is right, up to a constant.
+  double probability = 0;  ///< That this fit is right, and not another or none.
+};
+
+/// Whether two transforms are one answer: they put the middle of map b within `distance` (metres)
+/// of each other and turn it within `turn` (radians).
+[[nodiscard]] bool isSameAnswer(const Transform& left, const Transform& right,
+                                const Eigen::Vector2d& centre_b, double distance, double turn);
+
+}  // namespace sbox

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox/verification/rank_hypotheses.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sbox/core/pose.h"
+#include "sbox/verification/plausibility.h"
+
+namespace sbox {
+namespace {
+
+struct Ranked {
+  Transform b_in_a;
+  double score = 0;
+};
+
+void keepBest(std::vector<Ranked>& ranked, int count) {
+  std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& left, const Ranked& right) {
+    return left.score > right.score;
+  });
+  ranked.resize(std::min(ranked.size(), static_cast<size_t>(std::max(count, 0))));
+}
+
+void score(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked>& ranked, int points,
+           const EvidenceOptions& options) {
+  for (Ranked& candidate : ranked) {
+    candidate.score =
+        plausibility(gatherEvidence(a, b, candidate.b_in_a, static_cast<size_t>(points), options));
+  }
+}
+
+/// Drops what is the same answer as a better one; `ranked` is in order.
+void keepDistinct(std::vector<Ranked>& ranked, int count, const Eigen::Vector2d& centre_b,
+                  const RankingOptions& options) {
+  std::vector<Ranked> distinct;
+  for (const Ranked& candidate : ranked) {
+    if (static_cast<int>(distinct.size()) >= count) {
+      break;
+    }
+    const bool is_new = std::none_of(distinct.begin(), distinct.end(), [&](const Ranked& other) {
+      return isSameAnswer(candidate.b_in_a, other.b_in_a, centre_b, options.same_distance,
+                          options.same_turn * M_PI / 180);
+    });
+    if (is_new) {
+      distinct.push_back(candidate);
+    }
+  }
+  ranked = std::move(distinct);
+}
+
+}  // namespace
+
+bool isSameAnswer(const Transform& left, const Transform& right, const Eigen::Vector2d& centre_b,
+                  double distance, double turn) {
+  return (left * centre_b - right * centre_b).norm() < distance &&
+         std::abs(wrapAngle(left.heading - right.heading)) < turn;
+}
+
+std::vector<Fit> rankHypotheses(const MapFeatures& a, const MapFeatures& b,
+                                const std::vector<Hypothesis>& hypotheses,
+                                const RankingOptions& options) {
+  const Eigen::Vector2d centre_b(b.width / 2, b.height / 2);
+  std::vector<Ranked> ranked;
+  ranked.reserve(hypotheses.size());
+  for (const Hypothesis& hypothesis : hypotheses) {
+    ranked.push_back({hypothesis.b_in_a, 0});
+  }
+  score(a, b, ranked, options.coarse_points, options.evidence);
+  keepBest(ranked, options.coarse_kept);
+  score(a, b, ranked, options.fine_points, options.evidence);
+  keepBest(ranked, options.coarse_kept);
+  keepDistinct(ranked, options.aligned, centre_b, options);
+  for (Ranked& candidate : ranked) {
+    candidate.b_in_a = alignWalls(a, b, candidate.b_in_a, options.alignment);
+  }
+  score(a, b, ranked, 2 * options.fine_points, options.evidence);
+  keepBest(ranked, options.aligned);
+  keepDistinct(ranked, options.kept, centre_b, options);
+
+  std::vector<Fit> fits;
+  for (const Ranked& candidate : ranked) {
+    if (candidate.score <= kImplausible) {
+      continue;
+    }
+    Fit fit;
+    fit.b_in_a = candidate.b_in_a;
+    fit.evidence = gatherEvidence(a, b, fit.b_in_a, kAllPoints, options.evidence);
+    fit.drift = estimateDrift(a, b, fit.b_in_a, options.drift);
+    fit.bent_evidence = gatherEvidence(a, b, fit.b_in_a, fit.drift, options.bent_evidence);
+    fits.push_back(std::move(fit));
+  }
+  return fits;
+}
+
+}  // namespace sbox

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Coarse-to-fine verification: many hypotheses are asked of few wall points, the better ones of
+// more; those left are aligned and asked of all.
+#pragma once
+
+#include <vector>
+
+#include "sbox/features/map_features.h"
+#include "sbox/matching/hypothesis.h"
+#include "sbox/refinement/drift_field.h"
+#include "sbox/refinement/wall_alignment.h"
+#include "sbox/verification/evidence.h"
+#include "sbox/verification/fit.h"
+
+namespace sbox {
+
+struct RankingOptions {
+  int coarse_points = 100;     ///< Wall points of each map that every hypothesis is asked of.
+  int coarse_kept = 200;       ///< Hypotheses kept after that.
+  int fine_points = 500;       ///< Wall points that these are asked of.
+  int aligned = 40;            ///< Distinct hypotheses that are aligned.
+  int kept = 15;               ///< Distinct fits that are looked at with the drift taken out.
+  double same_distance = 1.0;  ///< Nearer answers are one, metres.
+  double same_turn = 7.0;      ///< Nearer answers are one, degrees.
+  EvidenceOptions evidence;    ///< Of rigid transforms.
+  EvidenceOptions bent_evidence = {0.25, 0.08, 0.15, 0.45};  ///< With the drift taken out.
+  AlignmentOptions alignment;
+  DriftOptions drift;
+};
+
+/// The best distinct fits, most plausible first. The order of the hypotheses matters only between
+/// equals.
+[[nodiscard]] std::vector<Fit> rankHypotheses(const MapFeatures& a, const MapFeatures& b,
+                                              const std::vector<Hypothesis>& hypotheses,
+                                              const RankingOptions& options = {});
+
+}  // namespace sbox
