@@ -14,7 +14,7 @@ namespace {
 constexpr size_t kMostAlternatives = 5;
 
 /// The pose of the map frame of b in that of a.
-Pose2D framePose(const MapFeatures& a, const MapFeatures& b, const Transform& b_in_a) {
+Pose2D framePose(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a) {
   const Pose2D grid_b_in_grid_a(b_in_a.translation.x(), b_in_a.translation.y(), b_in_a.heading);
   Pose2D pose = a.grid_in_map + grid_b_in_grid_a + inverse(b.grid_in_map);
   pose.phi = wrapAngle(pose.phi);

@@ -11,21 +11,21 @@ namespace sbox {
 
 /// A rigid transform between the grid frames of two maps: p_a = R(heading) p_b + translation.
 /// Proper by construction: a mirror image is never an answer.
-struct Transform {
+struct RigidTransform {
   double heading = 0;                                     ///< Radians.
   Eigen::Vector2d translation = Eigen::Vector2d::Zero();  ///< Metres.
 
   [[nodiscard]] Eigen::Vector2d operator*(const Eigen::Vector2d& point_b) const {
     return Eigen::Rotation2Dd(heading) * point_b + translation;
   }
-  [[nodiscard]] Transform inverse() const {
+  [[nodiscard]] RigidTransform inverse() const {
     return {-heading, -(Eigen::Rotation2Dd(-heading) * translation)};
   }
 };
 
 /// A transform that features proposed, before the cells were asked.
 struct Hypothesis {
-  Transform b_in_a;
+  RigidTransform b_in_a;
   double votes = 0;
 };
 

@@ -57,7 +57,7 @@ std::optional<int> quarterTurns(const WallFrame& a, const WallFrame& b, double h
 }  // namespace
 
 std::vector<BoxMatch> matchBoxes(const MapFeatures& a, const MapFeatures& b,
-                                 const Transform& b_in_a, const DriftField& drift,
+                                 const RigidTransform& b_in_a, const DriftField& drift,
                                  const BoxMatchOptions& options) {
   std::vector<BoxMatch> matches;
   int first_a = 0;

@@ -28,7 +28,8 @@ struct BoxMatchOptions {
 /// For each box of b the box of a with the same sides that lies nearest, where all corners agree
 /// once the drift is taken out. A box of a may serve several.
 [[nodiscard]] std::vector<BoxMatch> matchBoxes(const MapFeatures& a, const MapFeatures& b,
-                                               const Transform& b_in_a, const DriftField& drift,
+                                               const RigidTransform& b_in_a,
+                                               const DriftField& drift,
                                                const BoxMatchOptions& options = {});
 
 }  // namespace sbox

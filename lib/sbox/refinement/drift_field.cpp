@@ -32,7 +32,7 @@ Stencil stencilAt(const DriftField& field, const Eigen::Vector2d& point) {
           {(1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y}};
 }
 
-DriftField latticeOver(const MapFeatures& a, const MapFeatures& b, const Transform& b_in_a,
+DriftField latticeOver(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
                        const DriftOptions& options) {
   // Where the maps lie over each other; nothing is known of the drift elsewhere.
   Eigen::Vector2d low(1e18, 1e18), high(-1e18, -1e18);
@@ -159,10 +159,10 @@ double DriftField::roughness() const {
   return edges > 0 ? std::sqrt(sum / edges) : 0;
 }
 
-DriftField estimateDrift(const MapFeatures& a, const MapFeatures& b, const Transform& b_in_a,
+DriftField estimateDrift(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
                          const DriftOptions& options) {
   DriftField field = latticeOver(a, b, b_in_a, options);
-  const Transform a_in_b = b_in_a.inverse();
+  const RigidTransform a_in_b = b_in_a.inverse();
   const Eigen::Rotation2Dd turn(b_in_a.heading);
   const ByteAngle byte_turn = toByteAngle(b_in_a.heading);
   const size_t count_a = std::min(options.most_points, a.wall_points.size());

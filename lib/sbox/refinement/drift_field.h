@@ -41,6 +41,7 @@ struct DriftField {
 
 /// The field that lays the walls of map b, after the transform, on those of map a.
 [[nodiscard]] DriftField estimateDrift(const MapFeatures& a, const MapFeatures& b,
-                                       const Transform& b_in_a, const DriftOptions& options = {});
+                                       const RigidTransform& b_in_a,
+                                       const DriftOptions& options = {});
 
 }  // namespace sbox

@@ -30,14 +30,14 @@ struct Normals {
 
 }  // namespace
 
-Transform alignWalls(const MapFeatures& a, const MapFeatures& b, const Transform& start,
-                     const AlignmentOptions& options) {
+RigidTransform alignWalls(const MapFeatures& a, const MapFeatures& b, const RigidTransform& start,
+                          const AlignmentOptions& options) {
   const double squared_kernel = options.kernel * options.kernel;
-  Transform b_in_a = start;
+  RigidTransform b_in_a = start;
   const Eigen::Vector2d centre_b(b.width / 2, b.height / 2);
   for (int iteration = 0; iteration < options.iterations; ++iteration) {
     const Eigen::Rotation2Dd turn(b_in_a.heading);
-    const Transform a_in_b = b_in_a.inverse();
+    const RigidTransform a_in_b = b_in_a.inverse();
     const Eigen::Vector2d pivot = b_in_a * centre_b;
     const ByteAngle byte_turn = toByteAngle(b_in_a.heading);
     Normals normals;

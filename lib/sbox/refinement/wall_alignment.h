@@ -17,7 +17,8 @@ struct AlignmentOptions {
 };
 
 /// The transform improved from `start` by Gauss-Newton with a Geman-McClure kernel.
-[[nodiscard]] Transform alignWalls(const MapFeatures& a, const MapFeatures& b,
-                                   const Transform& start, const AlignmentOptions& options = {});
+[[nodiscard]] RigidTransform alignWalls(const MapFeatures& a, const MapFeatures& b,
+                                        const RigidTransform& start,
+                                        const AlignmentOptions& options = {});
 
 }  // namespace sbox

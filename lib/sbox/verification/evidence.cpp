@@ -84,7 +84,7 @@ OneWay lookUp(const MapFeatures& from, const MapFeatures& to, double heading, co
 struct RigidPlace {
   double c, s, x, y;
 
-  explicit RigidPlace(const Transform& t)
+  explicit RigidPlace(const RigidTransform& t)
       : c(std::cos(t.heading)),
         s(std::sin(t.heading)),
         x(t.translation.x()),
@@ -115,7 +115,7 @@ double conflictWeight(double depth, const EvidenceOptions& options) {
       (depth - options.conflict_from) / (options.conflict_full - options.conflict_from), 0.0, 1.0);
 }
 
-Evidence gatherEvidence(const MapFeatures& a, const MapFeatures& b, const Transform& b_in_a,
+Evidence gatherEvidence(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
                         size_t most_points, const EvidenceOptions& options) {
   const WeightTables tables(options);
   return sumUp(lookUp(b, a, b_in_a.heading, RigidPlace(b_in_a), most_points, tables),
@@ -123,7 +123,7 @@ Evidence gatherEvidence(const MapFeatures& a, const MapFeatures& b, const Transf
                b_in_a.heading);
 }
 
-Evidence gatherEvidence(const MapFeatures& a, const MapFeatures& b, const Transform& b_in_a,
+Evidence gatherEvidence(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
                         const DriftField& drift, const EvidenceOptions& options) {
   const WeightTables tables(options);
   const RigidPlace to_a(b_in_a), to_b(b_in_a.inverse());

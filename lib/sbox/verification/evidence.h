@@ -43,12 +43,12 @@ constexpr size_t kAllPoints = std::numeric_limits<size_t>::max();
 /// Asks the first `most_points` wall points (and as many free points) of each map; sums are scaled
 /// up to all of them.
 [[nodiscard]] Evidence gatherEvidence(const MapFeatures& a, const MapFeatures& b,
-                                      const Transform& b_in_a, size_t most_points = kAllPoints,
+                                      const RigidTransform& b_in_a, size_t most_points = kAllPoints,
                                       const EvidenceOptions& options = {});
 
 /// The same of all points once the drift between the maps is taken out.
 [[nodiscard]] Evidence gatherEvidence(const MapFeatures& a, const MapFeatures& b,
-                                      const Transform& b_in_a, const DriftField& drift,
+                                      const RigidTransform& b_in_a, const DriftField& drift,
                                       const EvidenceOptions& options = {});
 
 }  // namespace sbox

@@ -10,7 +10,7 @@ namespace sbox {
 
 /// A hypothesis that was aligned to the walls, and what the cells say of it.
 struct Fit {
-  Transform b_in_a;
+  RigidTransform b_in_a;
   Evidence evidence;       ///< Of the rigid transform.
   DriftField drift;        ///< How the maps are bent against each other under it.
   Evidence bent_evidence;  ///< With the drift taken out, on a narrow scale.
@@ -20,7 +20,7 @@ struct Fit {
 
 /// Whether two transforms are one answer: they put the middle of map b within `distance` (metres)
 /// of each other and turn it within `turn` (radians).
-[[nodiscard]] bool isSameAnswer(const Transform& left, const Transform& right,
+[[nodiscard]] bool isSameAnswer(const RigidTransform& left, const RigidTransform& right,
                                 const Eigen::Vector2d& centre_b, double distance, double turn);
 
 }  // namespace sbox

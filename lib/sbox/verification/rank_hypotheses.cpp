@@ -12,7 +12,7 @@ namespace sbox {
 namespace {
 
 struct Ranked {
-  Transform b_in_a;
+  RigidTransform b_in_a;
   double score = 0;
 };
 
@@ -52,8 +52,8 @@ void keepDistinct(std::vector<Ranked>& ranked, int count, const Eigen::Vector2d&
 
 }  // namespace
 
-bool isSameAnswer(const Transform& left, const Transform& right, const Eigen::Vector2d& centre_b,
-                  double distance, double turn) {
+bool isSameAnswer(const RigidTransform& left, const RigidTransform& right,
+                  const Eigen::Vector2d& centre_b, double distance, double turn) {
   return (left * centre_b - right * centre_b).norm() < distance &&
          std::abs(wrapAngle(left.heading - right.heading)) < turn;
 }
