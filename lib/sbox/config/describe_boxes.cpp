@@ -89,6 +89,7 @@ void describeMatching(PairOptions& options, OptionTable& table) {
   table.count("most_cells", search.most_cells, {16, 2048},
               "Of a picture's side; larger maps are searched more coarsely");
   table.metres("wall_blur", search.wall_blur, {0.05, 5}, "At which walls agree");
+  table.number("min_agree", search.min_agree, {0, 1}, "Share of the common walls that must agree");
   table.metres("separation", search.separation, {0.1, 20}, "Between two translations");
   table.count("per_heading", search.per_heading, {1, 1000}, "Translations kept of a heading");
   table.number("heading_step", search.headings.step, {1, 90}, "Between headings, degrees");
@@ -110,13 +111,20 @@ void describeEvidence(const std::string& section, EvidenceOptions& evidence, Opt
 void describeVerification(PairOptions& options, OptionTable& table) {
   RankingOptions& ranking = options.ranking;
   table.section("verification");
-  table.count("coarse_points", ranking.coarse_points, {1, 100000},
+  table.count("first_points", ranking.first_points, {1, 100000},
               "Wall points that every hypothesis is asked of");
+  table.count("first_kept", ranking.first_kept, {1, 100000}, "Hypotheses kept after that");
+  table.count("coarse_points", ranking.coarse_points, {1, 100000},
+              "Wall points that these are asked of");
   table.count("coarse_kept", ranking.coarse_kept, {1, 100000}, "Hypotheses kept after that");
   table.count("fine_points", ranking.fine_points, {1, 100000},
               "Wall points that these are asked of");
   table.count("aligned", ranking.aligned, {1, 10000}, "Hypotheses that are aligned to the walls");
   table.count("kept", ranking.kept, {1, 1000}, "Fits that are judged");
+  table.number("kept_within", ranking.kept_within, {0, 1000},
+               "Of the most plausible fit, log odds");
+  table.count("bent_points", ranking.bent_points, {1, 1000000},
+              "Wall points that these are asked of");
   table.metres("same_distance", ranking.same_distance, {0, 50}, "Nearer answers are one");
   table.number("same_turn", ranking.same_turn, {0, 90}, "Nearer answers are one, degrees");
   table.metres("alignment_kernel", ranking.alignment.kernel, {0.01, 10},

@@ -93,22 +93,39 @@ StateGrid resample(const StateGrid& grid, double resolution) {
     const int last = static_cast<int>(std::ceil((i + 1) * ratio - 1e-6)) - 1;
     return std::pair<int, int>{first, last};
   };
+  std::vector<std::pair<int, int>> columns;
+  for (int x = 0; x < out.width; ++x) {
+    columns.push_back(span(x, grid.width));
+  }
+  // A cell is occupied if the union of its bits has that bit, and free if their intersection has
+  // that one; beyond the grid no bit is set.
+  constexpr auto free_bit = static_cast<unsigned>(CellState::Free);
+  constexpr auto occupied_bit = static_cast<unsigned>(CellState::Occupied);
+  std::vector<unsigned> any(static_cast<size_t>(grid.width)), all(any.size());
   for (int y = 0; y < out.height; ++y) {
     const auto [y_first, y_last] = span(y, grid.height);
-    for (int x = 0; x < out.width; ++x) {
-      const auto [x_first, x_last] = span(x, grid.width);
-      bool any_occupied = false, all_free = true;
-      for (int cy = y_first; cy <= y_last; ++cy) {
-        for (int cx = x_first; cx <= x_last; ++cx) {
-          const CellState state = grid.at(cx, cy);
-          any_occupied = any_occupied || state == CellState::Occupied;
-          all_free = all_free && state == CellState::Free;
-        }
+    std::fill(any.begin(), any.end(), 0U);
+    std::fill(all.begin(), all.end(), y_last < grid.height ? free_bit : 0U);
+    for (int cy = y_first; cy <= std::min(y_last, grid.height - 1); ++cy) {
+      const CellState* row =
+          grid.cells.data() + static_cast<size_t>(cy) * static_cast<size_t>(grid.width);
+      for (size_t x = 0; x < any.size(); ++x) {
+        const auto bits = static_cast<unsigned>(row[x]);
+        any[x] |= bits;
+        all[x] &= bits;
       }
-      out.cells[static_cast<size_t>(y) * static_cast<size_t>(out.width) + static_cast<size_t>(x)] =
-          any_occupied ? CellState::Occupied
-          : all_free   ? CellState::Free
-                       : CellState::Unknown;
+    }
+    CellState* out_row = out.cells.data() + static_cast<size_t>(y) * static_cast<size_t>(out.width);
+    for (int x = 0; x < out.width; ++x) {
+      const auto [x_first, x_last] = columns[static_cast<size_t>(x)];
+      unsigned any_bits = 0, all_bits = x_last < grid.width ? free_bit : 0U;
+      for (int cx = x_first; cx <= std::min(x_last, grid.width - 1); ++cx) {
+        any_bits |= any[static_cast<size_t>(cx)];
+        all_bits &= all[static_cast<size_t>(cx)];
+      }
+      out_row[x] = (any_bits & occupied_bit) != 0 ? CellState::Occupied
+                   : all_bits != 0                ? CellState::Free
+                                                  : CellState::Unknown;
     }
   }
   return out;

@@ -100,7 +100,7 @@ WallFields makeFields(const StateGrid& grid, const std::vector<WallPoint>& point
   fields.width = cells(grid.width);
   fields.height = cells(grid.height);
   const size_t count = static_cast<size_t>(fields.width) * static_cast<size_t>(fields.height);
-  fields.distances.assign(count, 0);
+  fields.distances.assign(count, ~std::uint64_t{0});
   fields.nearest.assign(count * kSectors, -1);
   fields.free_depth.assign(count, 0);
   fillDepth(grid, fields);
@@ -119,12 +119,14 @@ WallFields makeFields(const StateGrid& grid, const std::vector<WallPoint>& point
     for (const std::int32_t index : facing[sector]) {
       offer(fields, points[static_cast<size_t>(index)].position, index, options.reach, field);
     }
+    const auto to_units = static_cast<float>(options.resolution / WallFields::unit);
     for (size_t cell = 0; cell < count; ++cell) {
-      const double metres =
-          std::sqrt(static_cast<double>(field.squared[cell])) * options.resolution;
-      const auto quantised =
-          static_cast<std::uint64_t>(std::min(255.0, std::round(metres / WallFields::unit)));
-      fields.distances[cell] |= quantised << (8 * sector);
+      if (field.index[cell] < 0) {
+        continue;
+      }
+      const float distance = std::min(255.F, std::sqrt(field.squared[cell]) * to_units + 0.5F);
+      // The byte is all ones so far.
+      fields.distances[cell] ^= (255 - static_cast<std::uint64_t>(distance)) << (8 * sector);
       fields.nearest[cell * kSectors + sector] = field.index[cell];
     }
   }

@@ -177,6 +177,10 @@ std::vector<Hypothesis> searchByCorrelation(const MapFeatures& a, const MapFeatu
         Evidence evidence;
         evidence.agree = 2 * std::max(0.F, agree.at<float>(y, x));
         evidence.known = std::max(0.F, known.at<float>(y, x)) + evidence.agree;
+        if (evidence.agree < options.min_agree * evidence.known) {
+          scores.at<float>(y, x) = static_cast<float>(kImplausible);
+          continue;
+        }
         evidence.conflict = std::max(0.F, conflict.at<float>(y, x));
         evidence.free_free = std::max(0.F, free_free.at<float>(y, x)) * resolution * resolution;
         evidence.wall = wall;

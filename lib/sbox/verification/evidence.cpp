@@ -3,32 +3,10 @@
 #include "sbox/verification/evidence.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace sbox {
 namespace {
-
-/// Weights by quantised distance or depth.
-struct WeightTables {
-  std::array<double, 256> wide{};
-  std::array<double, 256> tight{};
-  std::array<double, 256> conflict{};
-
-  explicit WeightTables(const EvidenceOptions& options) {
-    for (int i = 0; i < 255; ++i) {
-      const double metres = i * WallFields::unit;
-      const auto gauss = [&](double sigma) {
-        return std::exp(-0.5 * metres * metres / (sigma * sigma));
-      };
-      wide[static_cast<size_t>(i)] = gauss(options.wide);
-      tight[static_cast<size_t>(i)] = gauss(options.tight);
-    }
-    for (int i = 0; i < 256; ++i) {
-      conflict[static_cast<size_t>(i)] = conflictWeight(i * WallFields::unit, options);
-    }
-  }
-};
 
 struct OneWay {
   Eigen::Matrix2d facing = Eigen::Matrix2d::Zero();  ///< In the frame of the walls' own map.
@@ -39,7 +17,7 @@ struct OneWay {
 /// of the one lies in the other.
 template <typename Place>
 OneWay lookUp(const MapFeatures& from, const MapFeatures& to, double heading, const Place& place,
-              size_t most_points, const WeightTables& tables) {
+              size_t most_points, const EvidenceWeights& weights) {
   const WallFields& fields = to.fields;
   const ByteAngle turn = toByteAngle(heading);
   OneWay sum;
@@ -54,12 +32,12 @@ OneWay lookUp(const MapFeatures& from, const MapFeatures& to, double heading, co
     const int sector = sectorOf(static_cast<ByteAngle>(from.wall_directions[i] + turn));
     const auto distance = static_cast<std::uint8_t>(fields.distances[k] >> (8 * sector));
     const std::uint8_t depth = fields.free_depth[k];
-    const double agree = tables.wide[distance];
+    const auto agree = static_cast<double>(weights.wide[distance]);
     sum.agree += agree;
     const Eigen::Vector2d& normal = from.wall_points[i].normal;
     sum.facing += agree * normal * normal.transpose();
-    sum.tight += tables.tight[distance];
-    sum.conflict += tables.conflict[depth] * (1 - agree);
+    sum.tight += static_cast<double>(weights.tight[distance]);
+    sum.conflict += static_cast<double>(weights.conflict[depth]) * (1 - agree);
     sum.known += depth > 0 ? 1 : agree;
   }
   sum.wall = from.point_spacing * static_cast<double>(from.wall_points.size());
@@ -110,30 +88,44 @@ Evidence sumUp(const OneWay& there, const OneWay& back, double heading) {
 
 }  // namespace
 
+EvidenceWeights::EvidenceWeights(const EvidenceOptions& options) {
+  for (size_t i = 0; i < 256; ++i) {
+    const double metres = static_cast<double>(i) * WallFields::unit;
+    const auto gauss = [&](double sigma) {
+      // At the largest value there is no wall within reach.
+      return i < WallFields::far
+                 ? static_cast<float>(std::exp(-0.5 * metres * metres / (sigma * sigma)))
+                 : 0.F;
+    };
+    wide[i] = gauss(options.wide);
+    tight[i] = gauss(options.tight);
+    conflict[i] = static_cast<float>(conflictWeight(metres, options));
+  }
+}
+
 double conflictWeight(double depth, const EvidenceOptions& options) {
   return std::clamp(
       (depth - options.conflict_from) / (options.conflict_full - options.conflict_from), 0.0, 1.0);
 }
 
 Evidence gatherEvidence(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
-                        size_t most_points, const EvidenceOptions& options) {
-  const WeightTables tables(options);
-  return sumUp(lookUp(b, a, b_in_a.heading, RigidPlace(b_in_a), most_points, tables),
-               lookUp(a, b, -b_in_a.heading, RigidPlace(b_in_a.inverse()), most_points, tables),
+                        size_t most_points, const EvidenceWeights& weights) {
+  return sumUp(lookUp(b, a, b_in_a.heading, RigidPlace(b_in_a), most_points, weights),
+               lookUp(a, b, -b_in_a.heading, RigidPlace(b_in_a.inverse()), most_points, weights),
                b_in_a.heading);
 }
 
 Evidence gatherEvidence(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
-                        const DriftField& drift, const EvidenceOptions& options) {
-  const WeightTables tables(options);
+                        const DriftField& drift, size_t most_points,
+                        const EvidenceWeights& weights) {
   const RigidPlace to_a(b_in_a), to_b(b_in_a.inverse());
   const auto bent_to_a = [&](const Eigen::Vector2d& p) {
     const Eigen::Vector2d rigid = to_a(p);
     return Eigen::Vector2d(rigid + drift.at(rigid));
   };
   const auto bent_to_b = [&](const Eigen::Vector2d& p) { return to_b(p - drift.at(p)); };
-  return sumUp(lookUp(b, a, b_in_a.heading, bent_to_a, kAllPoints, tables),
-               lookUp(a, b, -b_in_a.heading, bent_to_b, kAllPoints, tables), b_in_a.heading);
+  return sumUp(lookUp(b, a, b_in_a.heading, bent_to_a, most_points, weights),
+               lookUp(a, b, -b_in_a.heading, bent_to_b, most_points, weights), b_in_a.heading);
 }
 
 }  // namespace sbox

@@ -6,6 +6,7 @@
 // they share.
 #pragma once
 
+#include <array>
 #include <limits>
 
 #include "sbox/features/map_features.h"
@@ -38,17 +39,28 @@ struct Evidence {
 /// Weight of a wall this deep (metres) in free space as a conflict, from 0 to 1.
 [[nodiscard]] double conflictWeight(double depth, const EvidenceOptions& options = {});
 
+/// The weights of the options by quantised distance or depth (see WallFields), made once for many
+/// hypotheses.
+struct EvidenceWeights {
+  EvidenceWeights(const EvidenceOptions& options = {});  // NOLINT: options serve where weights do.
+
+  std::array<float, 256> wide{};
+  std::array<float, 256> tight{};
+  std::array<float, 256> conflict{};
+};
+
 constexpr size_t kAllPoints = std::numeric_limits<size_t>::max();
 
 /// Asks the first `most_points` wall points (and as many free points) of each map; sums are scaled
 /// up to all of them.
 [[nodiscard]] Evidence gatherEvidence(const MapFeatures& a, const MapFeatures& b,
                                       const RigidTransform& b_in_a, size_t most_points = kAllPoints,
-                                      const EvidenceOptions& options = {});
+                                      const EvidenceWeights& weights = {});
 
-/// The same of all points once the drift between the maps is taken out.
+/// The same once the drift between the maps is taken out.
 [[nodiscard]] Evidence gatherEvidence(const MapFeatures& a, const MapFeatures& b,
                                       const RigidTransform& b_in_a, const DriftField& drift,
-                                      const EvidenceOptions& options = {});
+                                      size_t most_points = kAllPoints,
+                                      const EvidenceWeights& weights = {});
 
 }  // namespace sbox

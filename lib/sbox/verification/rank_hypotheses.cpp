@@ -24,10 +24,10 @@ void keepBest(std::vector<Ranked>& ranked, int count) {
 }
 
 void score(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked>& ranked, int points,
-           const EvidenceOptions& options) {
+           const EvidenceWeights& weights) {
   for (Ranked& candidate : ranked) {
     candidate.score =
-        plausibility(gatherEvidence(a, b, candidate.b_in_a, static_cast<size_t>(points), options));
+        plausibility(gatherEvidence(a, b, candidate.b_in_a, static_cast<size_t>(points), weights));
   }
 }
 
@@ -67,28 +67,34 @@ std::vector<Fit> rankHypotheses(const MapFeatures& a, const MapFeatures& b,
   for (const Hypothesis& hypothesis : hypotheses) {
     ranked.push_back({hypothesis.b_in_a, 0});
   }
-  score(a, b, ranked, options.coarse_points, options.evidence);
+  const EvidenceWeights weights(options.evidence), bent_weights(options.bent_evidence);
+  score(a, b, ranked, options.first_points, weights);
+  keepBest(ranked, options.first_kept);
+  score(a, b, ranked, options.coarse_points, weights);
   keepBest(ranked, options.coarse_kept);
-  score(a, b, ranked, options.fine_points, options.evidence);
+  score(a, b, ranked, options.fine_points, weights);
   keepBest(ranked, options.coarse_kept);
   keepDistinct(ranked, options.aligned, centre_b, options);
   for (Ranked& candidate : ranked) {
     candidate.b_in_a = alignWalls(a, b, candidate.b_in_a, options.alignment);
   }
-  score(a, b, ranked, 2 * options.fine_points, options.evidence);
+  score(a, b, ranked, 2 * options.fine_points, weights);
   keepBest(ranked, options.aligned);
   keepDistinct(ranked, options.kept, centre_b, options);
 
   std::vector<Fit> fits;
   for (const Ranked& candidate : ranked) {
-    if (candidate.score <= kImplausible) {
-      continue;
+    if (candidate.score <= kImplausible ||
+        candidate.score < ranked.front().score - options.kept_within) {
+      break;
     }
     Fit fit;
     fit.b_in_a = candidate.b_in_a;
-    fit.evidence = gatherEvidence(a, b, fit.b_in_a, kAllPoints, options.evidence);
+    fit.evidence =
+        gatherEvidence(a, b, fit.b_in_a, static_cast<size_t>(options.bent_points), weights);
     fit.drift = estimateDrift(a, b, fit.b_in_a, options.drift);
-    fit.bent_evidence = gatherEvidence(a, b, fit.b_in_a, fit.drift, options.bent_evidence);
+    fit.bent_evidence = gatherEvidence(a, b, fit.b_in_a, fit.drift,
+                                       static_cast<size_t>(options.bent_points), bent_weights);
     fits.push_back(std::move(fit));
   }
   return fits;
