@@ -70,7 +70,7 @@ PairResult matchInOrder(const MapFeatures& a, const MapFeatures& b, const PairOp
   result.pose_b_in_a = framePose(a, b, best.b_in_a);
   result.confidence = best.probability;
   result.overlap_m2 = best.evidence.free_free;
-  for (const BoxMatch& match : matchBoxes(a, b, best.b_in_a, best.drift, options.box_match)) {
+  for (const BoxMatch& match : matchBoxes(a, b, best.b_in_a, best.drift, options.ranking.boxes)) {
     result.matched_boxes.emplace_back(match.a, match.b);
   }
   for (size_t i = 1; i < fits.size() && i <= kMostAlternatives; ++i) {

@@ -21,7 +21,6 @@ struct PairOptions {
   double sure = 0.98;  ///< Probability from which the search ends with what the features proposed.
   RankingOptions ranking;
   VerdictOptions verdict;
-  BoxMatchOptions box_match;
 };
 
 /// Matches two maps by their features. What can't be matched is refused; exchanging the maps gives

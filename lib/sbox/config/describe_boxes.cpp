@@ -131,7 +131,7 @@ void describeVerification(PairOptions& options, OptionTable& table) {
                "Scale of the robust kernel of the alignment");
   table.number("accept_from", options.verdict.accept_from, {0, 1},
                "Probability from which the best fit is accepted");
-  table.metres("box_corner_distance", options.box_match.corner_distance, {0, 10},
+  table.metres("box_corner_distance", ranking.boxes.corner_distance, {0, 10},
                "Between the corners of boxes that agree");
   describeEvidence("verification.rigid", ranking.evidence, table);
   describeEvidence("verification.bent", ranking.bent_evidence, table);

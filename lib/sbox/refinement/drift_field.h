@@ -21,8 +21,8 @@ struct DriftOptions {
   double wall_noise = 0.2;    ///< Expected offset of walls that agree, metres.
   double first_kernel = 1.0;  ///< Scale of the robust kernel in the first round, metres; ...
   double last_kernel = 0.25;  ///< ... it shrinks to this in the last.
-  int rounds = 3;
-  size_t most_points = 500;  ///< Wall points used of each map.
+  int rounds = 5;
+  size_t most_points = 800;  ///< Wall points used of each map.
 };
 
 /// Displacements at the nodes of a lattice, bilinear in between, constant beyond.

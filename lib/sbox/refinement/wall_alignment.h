@@ -12,8 +12,8 @@ namespace sbox {
 
 struct AlignmentOptions {
   double kernel = 1.25;  ///< Scale of the robust kernel, metres: walls further off count little.
-  int iterations = 10;   ///< At most.
-  size_t most_points = 300;  ///< Wall points used of each map.
+  int iterations = 20;   ///< At most.
+  size_t most_points = 600;  ///< Wall points used of each map.
 };
 
 /// The transform improved from `start` by Gauss-Newton with a Geman-McClure kernel.

@@ -95,6 +95,7 @@ std::vector<Fit> rankHypotheses(const MapFeatures& a, const MapFeatures& b,
     fit.drift = estimateDrift(a, b, fit.b_in_a, options.drift);
     fit.bent_evidence = gatherEvidence(a, b, fit.b_in_a, fit.drift,
                                        static_cast<size_t>(options.bent_points), bent_weights);
+    fit.boxes = static_cast<int>(matchBoxes(a, b, fit.b_in_a, fit.drift, options.boxes).size());
     fits.push_back(std::move(fit));
   }
   return fits;

@@ -9,6 +9,7 @@
 
 #include "sbox/features/map_features.h"
 #include "sbox/matching/hypothesis.h"
+#include "sbox/matching/matched_boxes.h"
 #include "sbox/refinement/drift_field.h"
 #include "sbox/refinement/wall_alignment.h"
 #include "sbox/verification/evidence.h"
@@ -32,6 +33,7 @@ struct RankingOptions {
   EvidenceOptions bent_evidence = {0.25, 0.08, 0.15, 0.45};  ///< With the drift taken out.
   AlignmentOptions alignment;
   DriftOptions drift;
+  BoxMatchOptions boxes;
 };
 
 /// The best distinct fits, most plausible first. The order of the hypotheses matters only between

@@ -10,15 +10,16 @@
 namespace sbox {
 namespace {
 
-// Conditional logit model, fitted by maximum likelihood; see CONTRIBUTING.md for how.
-constexpr double kNone = 21.24;  ///< Log odds of "none of the fits is right".
-constexpr double kAgreeShare = 17.93;
-constexpr double kCrossWall = 2.024;
-constexpr double kRigidConflict = -0.4904;
-constexpr double kBentConflict = -0.3499;
-constexpr double kFreeLength = 0.2777;
-constexpr double kFreeArea = 0.7594;
-constexpr double kFreeShare = 2.347;
+// Conditional logit model, fitted by maximum likelihood; CONTRIBUTING.md tells on what.
+constexpr double kNone = 13.976;  ///< Log odds of "none of the fits is right".
+constexpr double kAgreeShare = 20.634;
+constexpr double kCrossWall = 0.936;
+constexpr double kRigidConflict = -0.2173;
+constexpr double kBentConflict = -0.3587;
+constexpr double kConflictDensity = -10.255;
+constexpr double kFreeLength = 0.3483;
+constexpr double kFreeShare = 0.7715;
+constexpr double kBoxes = 0.4869;
 
 /// Agreeing wall that fixes the shift in the direction that is fixed least, metres.
 double crossWall(const Evidence& evidence) {
@@ -27,14 +28,21 @@ double crossWall(const Evidence& evidence) {
   return std::max(0.0, solver.eigenvalues()[0]);
 }
 
-double agreeShare(const Evidence& evidence) { return evidence.agree / (evidence.known + 1); }
+/// Share of the walls in the common area that agree; a few metres of wall do not make a large one.
+double agreeShare(const Evidence& evidence) {
+  constexpr double doubt = 10;  // Metres.
+  return evidence.agree / (evidence.known + doubt);
+}
 
 double logOdds(const Fit& fit) {
+  const Evidence& rigid = fit.evidence;
   const Evidence& bent = fit.bent_evidence;
   return kAgreeShare * agreeShare(bent) + kCrossWall * std::log(crossWall(bent) + 0.5) +
-         kRigidConflict * std::sqrt(fit.evidence.conflict) +
-         kBentConflict * std::sqrt(bent.conflict) + kFreeLength * std::sqrt(bent.free_free) +
-         kFreeArea * std::log(bent.free_free + 1) + kFreeShare * bent.free_free / (bent.free + 1);
+         kRigidConflict * std::sqrt(rigid.conflict) + kBentConflict * std::sqrt(bent.conflict) +
+         kConflictDensity * rigid.conflict / (bent.free_free + 10) +
+         kFreeLength * std::sqrt(bent.free_free) +
+         kFreeShare * std::log(bent.free_free / (bent.free + 1) + 0.02) +
+         kBoxes * std::log(fit.boxes + 1.0);
 }
 
 std::string text(const char* format, double first, double second = 0, double third = 0) {
@@ -45,13 +53,14 @@ std::string text(const char* format, double first, double second = 0, double thi
 
 std::string describeAgreement(const Evidence& evidence) {
   return text("%.0f m of wall agree, %.0f %% of what lies in the common area, and %.1f m conflict",
-              evidence.agree, 100 * agreeShare(evidence), evidence.conflict);
+              evidence.agree, 100 * evidence.agree / std::max(evidence.known, 1e-9),
+              evidence.conflict);
 }
 
 std::string whyNot(const Fit& best) {
   const Evidence& bent = best.bent_evidence;
   const std::string found = describeAgreement(bent);
-  if (agreeShare(bent) < 0.6) {
+  if (bent.agree < 0.6 * bent.known) {
     return "too few walls agree: " + found;
   }
   if (crossWall(bent) < 4) {
