@@ -18,7 +18,7 @@ struct PairOptions {
   FeatureOptions features;
   VoteOptions votes;
   CorrelationSearchOptions correlation;
-  double sure = 0.98;  ///< Probability from which the search ends with what the features proposed.
+  double sure = 0.995;  ///< Probability from which the search ends with what the features proposed.
   RankingOptions ranking;
   VerdictOptions verdict;
 };

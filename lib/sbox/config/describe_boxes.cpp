@@ -126,6 +126,8 @@ void describeVerification(PairOptions& options, OptionTable& table) {
   table.count("bent_points", ranking.bent_points, {1, 1000000},
               "Wall points that these are asked of");
   table.metres("same_distance", ranking.same_distance, {0, 50}, "Nearer answers are one");
+  table.metres("same_bent", ranking.same_bent, {0, 50},
+               "Fits that lay the walls this near once the drift is taken out are one");
   table.number("same_turn", ranking.same_turn, {0, 90}, "Nearer answers are one, degrees");
   table.metres("alignment_kernel", ranking.alignment.kernel, {0.01, 10},
                "Scale of the robust kernel of the alignment");

@@ -15,7 +15,7 @@ namespace sbox {
 
 struct CorrelationSearchOptions {
   HeadingOptions headings;
-  double resolution = 0.6;  ///< Of the pictures' cells, metres; coarser where maps are large ...
+  double resolution = 0.8;  ///< Of the pictures' cells, metres; coarser where maps are large ...
   int most_cells = 256;     ///< ... so that no map is more than this many cells wide or high.
   double wall_blur = 0.5;   ///< Standard deviation at which walls agree, metres.
   double min_agree = 0.2;   ///< Share of the common walls below which a translation is passed over.

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <cmath>
 
 namespace sbox {
 
@@ -20,6 +21,24 @@ struct RigidTransform {
   }
   [[nodiscard]] RigidTransform inverse() const {
     return {-heading, -(Eigen::Rotation2Dd(-heading) * translation)};
+  }
+};
+
+/// A transform with its sine and cosine at hand, to move many points.
+struct PointMover {
+  double c, s, x, y;
+
+  explicit PointMover(const RigidTransform& transform)
+      : c(std::cos(transform.heading)),
+        s(std::sin(transform.heading)),
+        x(transform.translation.x()),
+        y(transform.translation.y()) {}
+  [[nodiscard]] Eigen::Vector2d operator()(const Eigen::Vector2d& p) const {
+    return {c * p.x() - s * p.y() + x, s * p.x() + c * p.y() + y};
+  }
+  /// The direction turned.
+  [[nodiscard]] Eigen::Vector2d turn(const Eigen::Vector2d& d) const {
+    return {c * d.x() - s * d.y(), s * d.x() + c * d.y()};
   }
 };
 

@@ -60,6 +60,7 @@ std::vector<BoxMatch> matchBoxes(const MapFeatures& a, const MapFeatures& b,
                                  const RigidTransform& b_in_a, const DriftField& drift,
                                  const BoxMatchOptions& options) {
   std::vector<BoxMatch> matches;
+  const PointMover to_a(b_in_a);
   int first_a = 0;
   for (const FrameFeatures& frame_a : a.frames) {
     const std::vector<Target> targets = targetsOf(frame_a, first_a);
@@ -73,7 +74,7 @@ std::vector<BoxMatch> matchBoxes(const MapFeatures& a, const MapFeatures& b,
         Corners moved;
         double x = 0;
         for (size_t i = 0; i < 4; ++i) {
-          moved[i] = b_in_a * corners_b[i];
+          moved[i] = to_a(corners_b[i]);
           moved[i] += drift.at(moved[i]);
           x += moved[i].x() / 4;
         }

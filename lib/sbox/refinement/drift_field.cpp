@@ -162,8 +162,7 @@ double DriftField::roughness() const {
 DriftField estimateDrift(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
                          const DriftOptions& options) {
   DriftField field = latticeOver(a, b, b_in_a, options);
-  const RigidTransform a_in_b = b_in_a.inverse();
-  const Eigen::Rotation2Dd turn(b_in_a.heading);
+  const PointMover to_a(b_in_a), to_b(b_in_a.inverse());
   const ByteAngle byte_turn = toByteAngle(b_in_a.heading);
   const size_t count_a = std::min(options.most_points, a.wall_points.size());
   const size_t count_b = std::min(options.most_points, b.wall_points.size());
@@ -178,7 +177,7 @@ DriftField estimateDrift(const MapFeatures& a, const MapFeatures& b, const Rigid
         options.first_kernel * std::pow(options.last_kernel / options.first_kernel, share);
     DriftEquations equations(field, options);
     for (size_t i = 0; i < count_b; ++i) {
-      const Eigen::Vector2d rigid = b_in_a * b.wall_points[i].position;
+      const Eigen::Vector2d rigid = to_a(b.wall_points[i].position);
       const Eigen::Vector2d p = rigid + field.at(rigid);
       const std::ptrdiff_t cell = a.fields.cellAt(p.x(), p.y());
       if (cell < 0) {
@@ -194,7 +193,7 @@ DriftField estimateDrift(const MapFeatures& a, const MapFeatures& b, const Rigid
     }
     for (size_t i = 0; i < count_a; ++i) {
       const Eigen::Vector2d& p = a.wall_points[i].position;
-      const Eigen::Vector2d in_b = a_in_b * (p - field.at(p));
+      const Eigen::Vector2d in_b = to_b(p - field.at(p));
       const std::ptrdiff_t cell = b.fields.cellAt(in_b.x(), in_b.y());
       if (cell < 0) {
         continue;
@@ -203,8 +202,8 @@ DriftField estimateDrift(const MapFeatures& a, const MapFeatures& b, const Rigid
       const std::int32_t nearest = b.fields.nearest[static_cast<size_t>(cell * kSectors + sector)];
       if (nearest >= 0) {
         const WallPoint& source = b.wall_points[static_cast<size_t>(nearest)];
-        const Eigen::Vector2d rigid = b_in_a * source.position;
-        equations.add(rigid, p - rigid, turn * source.normal,
+        const Eigen::Vector2d rigid = to_a(source.position);
+        equations.add(rigid, p - rigid, to_a.turn(source.normal),
                       length_a * robustWeight((p - rigid - field.at(rigid)).squaredNorm(), kernel));
       }
     }

@@ -36,14 +36,13 @@ RigidTransform alignWalls(const MapFeatures& a, const MapFeatures& b, const Rigi
   RigidTransform b_in_a = start;
   const Eigen::Vector2d centre_b(b.width / 2, b.height / 2);
   for (int iteration = 0; iteration < options.iterations; ++iteration) {
-    const Eigen::Rotation2Dd turn(b_in_a.heading);
-    const RigidTransform a_in_b = b_in_a.inverse();
-    const Eigen::Vector2d pivot = b_in_a * centre_b;
+    const PointMover to_a(b_in_a), to_b(b_in_a.inverse());
+    const Eigen::Vector2d pivot = to_a(centre_b);
     const ByteAngle byte_turn = toByteAngle(b_in_a.heading);
     Normals normals;
     const size_t count_b = std::min(options.most_points, b.wall_points.size());
     for (size_t i = 0; i < count_b; ++i) {
-      const Eigen::Vector2d p = b_in_a * b.wall_points[i].position;
+      const Eigen::Vector2d p = to_a(b.wall_points[i].position);
       const std::ptrdiff_t cell = a.fields.cellAt(p.x(), p.y());
       if (cell < 0) {
         continue;
@@ -57,7 +56,7 @@ RigidTransform alignWalls(const MapFeatures& a, const MapFeatures& b, const Rigi
     }
     const size_t count_a = std::min(options.most_points, a.wall_points.size());
     for (size_t i = 0; i < count_a; ++i) {
-      const Eigen::Vector2d in_b = a_in_b * a.wall_points[i].position;
+      const Eigen::Vector2d in_b = to_b(a.wall_points[i].position);
       const std::ptrdiff_t cell = b.fields.cellAt(in_b.x(), in_b.y());
       if (cell < 0) {
         continue;
@@ -67,8 +66,8 @@ RigidTransform alignWalls(const MapFeatures& a, const MapFeatures& b, const Rigi
       if (nearest >= 0) {
         // The wall of b is what moves.
         const WallPoint& source = b.wall_points[static_cast<size_t>(nearest)];
-        const Eigen::Vector2d moved = b_in_a * source.position;
-        normals.add(a.wall_points[i].position - moved, turn * source.normal, moved - pivot,
+        const Eigen::Vector2d moved = to_a(source.position);
+        normals.add(a.wall_points[i].position - moved, to_a.turn(source.normal), moved - pivot,
                     squared_kernel);
       }
     }

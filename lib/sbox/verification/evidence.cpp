@@ -58,20 +58,6 @@ OneWay lookUp(const MapFeatures& from, const MapFeatures& to, double heading, co
   return sum;
 }
 
-/// A rigid transform with its sine and cosine at hand.
-struct RigidPlace {
-  double c, s, x, y;
-
-  explicit RigidPlace(const RigidTransform& t)
-      : c(std::cos(t.heading)),
-        s(std::sin(t.heading)),
-        x(t.translation.x()),
-        y(t.translation.y()) {}
-  Eigen::Vector2d operator()(const Eigen::Vector2d& p) const {
-    return {c * p.x() - s * p.y() + x, s * p.x() + c * p.y() + y};
-  }
-};
-
 Evidence sumUp(const OneWay& there, const OneWay& back, double heading) {
   Evidence evidence;
   const Eigen::Matrix2d turn = Eigen::Rotation2Dd(heading).toRotationMatrix();
@@ -110,15 +96,15 @@ double conflictWeight(double depth, const EvidenceOptions& options) {
 
 Evidence gatherEvidence(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
                         size_t most_points, const EvidenceWeights& weights) {
-  return sumUp(lookUp(b, a, b_in_a.heading, RigidPlace(b_in_a), most_points, weights),
-               lookUp(a, b, -b_in_a.heading, RigidPlace(b_in_a.inverse()), most_points, weights),
+  return sumUp(lookUp(b, a, b_in_a.heading, PointMover(b_in_a), most_points, weights),
+               lookUp(a, b, -b_in_a.heading, PointMover(b_in_a.inverse()), most_points, weights),
                b_in_a.heading);
 }
 
 Evidence gatherEvidence(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
                         const DriftField& drift, size_t most_points,
                         const EvidenceWeights& weights) {
-  const RigidPlace to_a(b_in_a), to_b(b_in_a.inverse());
+  const PointMover to_a(b_in_a), to_b(b_in_a.inverse());
   const auto bent_to_a = [&](const Eigen::Vector2d& p) {
     const Eigen::Vector2d rigid = to_a(p);
     return Eigen::Vector2d(rigid + drift.at(rigid));

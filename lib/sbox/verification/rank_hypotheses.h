@@ -19,16 +19,17 @@ namespace sbox {
 
 struct RankingOptions {
   int first_points = 32;       ///< Wall points of each map that every hypothesis is asked of.
-  int first_kept = 300;        ///< Hypotheses kept after that.
+  int first_kept = 400;        ///< Hypotheses kept after that.
   int coarse_points = 100;     ///< Wall points that these are asked of.
-  int coarse_kept = 100;       ///< Hypotheses kept after that.
+  int coarse_kept = 150;       ///< Hypotheses kept after that.
   int fine_points = 500;       ///< Wall points that these are asked of.
-  int aligned = 30;            ///< Distinct hypotheses that are aligned.
+  int aligned = 40;            ///< Distinct hypotheses that are aligned.
   int kept = 12;               ///< Distinct fits that are looked at with the drift taken out ...
   double kept_within = 12;     ///< ... if they are this near to the most plausible, log odds.
   int bent_points = 2000;      ///< Wall points that these are asked of.
   double same_distance = 1.0;  ///< Nearer answers are one, metres.
   double same_turn = 7.0;      ///< Nearer answers are one, degrees.
+  double same_bent = 0.6;      ///< Fits that lay the walls this near once bent are one, metres.
   EvidenceOptions evidence;    ///< Of rigid transforms.
   EvidenceOptions bent_evidence = {0.25, 0.08, 0.15, 0.45};  ///< With the drift taken out.
   AlignmentOptions alignment;

@@ -15,7 +15,7 @@
 namespace sbox {
 
 struct VerdictOptions {
-  double accept_from = 0.65;  ///< Probability from which the best fit is accepted.
+  double accept_from = 0.7;  ///< Probability from which the best fit is accepted.
 };
 
 /// Sets log_odds and probability of each fit, and sorts by it, the most probable first.
