@@ -25,7 +25,7 @@ rm -rf build/demo
 mkdir build/demo
 code=0
 build/release/apps/sbox-merge/sbox-merge \
-  --in datasets/sena/robot_b.gridmap.gz datasets/sena/robot_c.gridmap.gz \
+  --in datasets/sena/robot_a.gridmap.gz datasets/sena/robot_c.gridmap.gz \
   --out build/demo/merged.gridmap --report build/demo/report.json --pictures build/demo/pictures \
   "$@" || code=$?
 

@@ -43,6 +43,7 @@ StageSeconds summarise(const std::vector<StageSeconds>& runs, const MapWork& a, 
                        Summary summary) {
   const auto over = [&](double StageSeconds::*stage) {
     std::vector<double> values;
+    values.reserve(runs.size());
     for (const StageSeconds& run : runs) {
       values.push_back(run.*stage);
     }

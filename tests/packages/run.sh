@@ -28,7 +28,7 @@ dpkg-deb --extract "${library[0]}" library
 [[ $(dpkg-deb --field "${commands[0]}" Depends) == *libmrpt-maps* ]] ||
   fail "sbox-merge does not ask for MRPT"
 commands/usr/bin/sbox-merge --out merged.gridmap --quiet \
-  --in "$source"/datasets/sena/robot_{b,c}.gridmap.gz
+  --in "$source"/datasets/sena/robot_{a,c}.gridmap.gz
 [[ -s merged.gridmap ]] || fail "the command of the package merged nothing"
 for file in share/man/man1/sbox-merge.1 share/bash-completion/completions/sbox-merge \
     share/doc/sbox-merge/copyright; do
