@@ -78,7 +78,7 @@ std::string findMapFile(const std::string& folder, const std::string& name) {
   const fs::path own = fs::weakly_canonical(folder);
   for (const fs::path& base : {own / name, own.parent_path() / name}) {
     for (const char* extension : {".gridmap", ".gridmap.gz", ".yaml", ".png"}) {
-      const std::string file = base.string() + extension;
+      std::string file = base.string() + extension;
       if (fs::exists(file)) {
         return file;
       }

@@ -49,7 +49,7 @@ RoutePlanner::RoutePlanner(const mrpt::maps::COccupancyGridMap2D& grid, const Ro
   clearance_.resize(static_cast<size_t>(width_) * static_cast<size_t>(height_));
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x) {
-      clearance_[static_cast<size_t>(y * width_ + x)] =
+      clearance_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)] =
           distance.at<float>(y, x) * static_cast<float>(resolution_);
     }
   }
@@ -62,8 +62,8 @@ int RoutePlanner::cellAt(const Point2D& point) const {
 }
 
 Point2D RoutePlanner::centreOf(int cell) const {
-  return {corner_.x + (cell % width_ + 0.5) * resolution_,
-          corner_.y + (cell / width_ + 0.5) * resolution_};
+  const int x = cell % width_, y = cell / width_;
+  return {corner_.x + (x + 0.5) * resolution_, corner_.y + (y + 0.5) * resolution_};
 }
 
 bool RoutePlanner::seesStraight(const Point2D& from, const Point2D& to) const {

@@ -32,8 +32,7 @@ std::vector<double> houghSpectrum(const std::vector<Point2D>& points, int bins, 
     const double c = std::cos(angle) / rho_step, s = std::sin(angle) / rho_step;
     std::fill(transform.begin(), transform.end(), 0);
     for (const Point2D& point : points) {
-      ++transform[static_cast<size_t>(static_cast<int>(std::lround(point.x * c + point.y * s)) +
-                                      offset)];
+      ++transform[static_cast<size_t>(std::lround(point.x * c + point.y * s) + offset)];
     }
     double sum = 0;
     for (const int count : transform) {

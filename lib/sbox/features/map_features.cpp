@@ -38,7 +38,7 @@ std::vector<Eigen::Vector2d> freePoints(const StateGrid& grid, double spacing) {
     for (double x = 0.5 * step; x < grid.width; x += step) {
       const int column = static_cast<int>(x), row = static_cast<int>(y);
       if (grid.at(column, row) == CellState::Free) {
-        points.push_back(Eigen::Vector2d(column + 0.5, row + 0.5) * grid.resolution);
+        points.emplace_back(Eigen::Vector2d(column + 0.5, row + 0.5) * grid.resolution);
       }
     }
   }

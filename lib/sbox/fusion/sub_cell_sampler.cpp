@@ -58,7 +58,7 @@ bool SubCellSampler::onNeck(const SubCell& place) const {
   const std::int64_t y = (place.v + kSubCellUnit / 2) >> 32;
   const std::int64_t off_x = place.u - x * kSubCellUnit, off_y = place.v - y * kSubCellUnit;
   // From the nearest cell towards the place.
-  const int to_x = off_x < 0 ? -1 : 1, to_y = off_y < 0 ? -1 : 1;
+  const std::int64_t to_x = off_x < 0 ? -1 : 1, to_y = off_y < 0 ? -1 : 1;
   const std::int64_t dx = std::abs(off_x), dy = std::abs(off_y);
   const auto occupied = [&](int steps_x, int steps_y) {
     return cellAt(x + steps_x * to_x, y + steps_y * to_y) < 0;

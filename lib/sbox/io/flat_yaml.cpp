@@ -54,7 +54,7 @@ class ScalarReader {
       ++size;
     }
     // Blanks stay, as they tell a comment from a "#" within a word.
-    const std::string value(trim(text.substr(0, size)));
+    std::string value(trim(text.substr(0, size)));
     skip(value.size());
     return value;
   }
