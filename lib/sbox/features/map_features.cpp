@@ -60,12 +60,15 @@ Point2D toPoint(const Eigen::Vector2d& point) { return {point.x(), point.y()}; }
 
 /// What the frames hold, in the map frame.
 FeatureSet describe(const std::vector<FrameFeatures>& frames, const std::vector<WallLine>& lines,
-                    const Pose2D& grid_in_map) {
+                    double min_wall_share, const Pose2D& grid_in_map) {
   FeatureSet set;
   const auto in_map = [&](const Eigen::Vector2d& point) {
     return grid_in_map.composePoint(toPoint(point));
   };
   for (const WallLine& line : lines) {
+    if (line.wall_share < min_wall_share) {
+      continue;  // An edge of the unknown.
+    }
     set.lines.push_back({in_map(line.from), in_map(line.to)});
   }
   for (const FrameFeatures& frame : frames) {
@@ -119,7 +122,8 @@ MapFeatures extractFeatures(const Map& map, const FeatureOptions& options) {
     features.frames.push_back(std::move(of_frame));
   }
   features.fields = makeFields(grid, features.wall_points, options.fields);
-  features.feature_set = describe(features.frames, walls.lines, features.grid_in_map);
+  features.feature_set = describe(features.frames, walls.lines, options.axis_lines.min_wall_share,
+                                  features.grid_in_map);
   return features;
 }
 
