@@ -13,43 +13,6 @@ namespace {
 
 constexpr size_t kMostAlternatives = 5;
 
-/// The pose of the map frame of b in that of a.
-Pose2D framePose(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a) {
-  const Pose2D grid_b_in_grid_a(b_in_a.translation.x(), b_in_a.translation.y(), b_in_a.heading);
-  Pose2D pose = a.grid_in_map + grid_b_in_grid_a + inverse(b.grid_in_map);
-  pose.phi = wrapAngle(pose.phi);
-  return pose;
-}
-
-/// Fits of the hypotheses that features propose and, unless these leave no doubt, of those that a
-/// full search finds; the most probable first.
-std::vector<Fit> searchFits(const MapFeatures& a, const MapFeatures& b, const PairOptions& options,
-                            PairSeconds& seconds) {
-  // Section 3.2, rough match and eq. 4: corners and boxes vote.
-  Stopwatch stopwatch;
-  std::vector<Hypothesis> hypotheses = voteForTransforms(a, b, options.votes);
-  seconds.matching = stopwatch.seconds();
-  stopwatch = Stopwatch();
-  std::vector<Fit> fits = rankHypotheses(a, b, hypotheses, options.ranking);
-  judge(fits);
-  seconds.verification = stopwatch.seconds();
-  if (!fits.empty() && fits.front().probability >= options.sure) {
-    return fits;
-  }
-  // What no corner or box proposes.
-  stopwatch = Stopwatch();
-  hypotheses = searchByCorrelation(a, b, options.correlation);
-  seconds.matching += stopwatch.seconds();
-  stopwatch = Stopwatch();
-  for (const Fit& fit : fits) {
-    hypotheses.push_back({fit.b_in_a, 0});
-  }
-  fits = rankHypotheses(a, b, hypotheses, options.ranking);
-  judge(fits);
-  seconds.verification += stopwatch.seconds();
-  return fits;
-}
-
 PairResult matchInOrder(const MapFeatures& a, const MapFeatures& b, const PairOptions& options) {
   PairResult result;
   if (a.empty() || b.empty()) {
@@ -58,7 +21,7 @@ PairResult matchInOrder(const MapFeatures& a, const MapFeatures& b, const PairOp
                         : "one of the maps has no wall with free space beside it";
     return result;
   }
-  const std::vector<Fit> fits = searchFits(a, b, options, result.seconds);
+  const std::vector<Fit> fits = findFits(a, b, options, result.seconds);
   const Verdicted verdicted = decide(fits, options.verdict);
   result.verdict = verdicted.verdict;
   result.reason = verdicted.reason;
@@ -101,6 +64,40 @@ PairResult exchanged(PairResult result) {
 }
 
 }  // namespace
+
+Pose2D framePose(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a) {
+  const Pose2D grid_b_in_grid_a(b_in_a.translation.x(), b_in_a.translation.y(), b_in_a.heading);
+  Pose2D pose = a.grid_in_map + grid_b_in_grid_a + inverse(b.grid_in_map);
+  pose.phi = wrapAngle(pose.phi);
+  return pose;
+}
+
+std::vector<Fit> findFits(const MapFeatures& a, const MapFeatures& b, const PairOptions& options,
+                          PairSeconds& seconds) {
+  // Section 3.2, rough match and eq. 4: corners and boxes vote.
+  Stopwatch stopwatch;
+  std::vector<Hypothesis> hypotheses = voteForTransforms(a, b, options.votes);
+  seconds.matching = stopwatch.seconds();
+  stopwatch = Stopwatch();
+  std::vector<Fit> fits = rankHypotheses(a, b, hypotheses, options.ranking);
+  judge(fits);
+  seconds.verification = stopwatch.seconds();
+  if (!fits.empty() && fits.front().probability >= options.sure) {
+    return fits;
+  }
+  // What no corner or box proposes.
+  stopwatch = Stopwatch();
+  hypotheses = searchByCorrelation(a, b, options.correlation);
+  seconds.matching += stopwatch.seconds();
+  stopwatch = Stopwatch();
+  for (const Fit& fit : fits) {
+    hypotheses.push_back({fit.b_in_a, 0});
+  }
+  fits = rankHypotheses(a, b, hypotheses, options.ranking);
+  judge(fits);
+  seconds.verification += stopwatch.seconds();
+  return fits;
+}
 
 PairResult matchPair(const MapFeatures& a, const MapFeatures& b, const PairOptions& options) {
   // Each pair is matched in one order, whichever way round it is given.

@@ -11,6 +11,7 @@
 #include "sbox/matching/matched_boxes.h"
 #include "sbox/verification/rank_hypotheses.h"
 #include "sbox/verification/verdict.h"
+#include "sbox/verification/verdict_model.h"
 
 namespace sbox {
 
@@ -22,6 +23,15 @@ struct PairOptions {
   RankingOptions ranking;
   VerdictOptions verdict;
 };
+
+/// All fits of two maps that were worth judging, the most probable first: those of the hypotheses
+/// that features propose and, unless these leave no doubt, of those that a full search finds.
+[[nodiscard]] std::vector<Fit> findFits(const MapFeatures& a, const MapFeatures& b,
+                                        const PairOptions& options, PairSeconds& seconds);
+
+/// The pose of the map frame of b in that of a, for a transform between the grid frames.
+[[nodiscard]] Pose2D framePose(const MapFeatures& a, const MapFeatures& b,
+                               const RigidTransform& b_in_a);
 
 /// Matches two maps by their features. What can't be matched is refused; exchanging the maps gives
 /// the inverse, exactly.

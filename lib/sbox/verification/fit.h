@@ -15,7 +15,7 @@ struct Fit {
   DriftField drift;        ///< How the maps are bent against each other under it.
   Evidence bent_evidence;  ///< With the drift taken out, on a narrow scale.
   int boxes = 0;           ///< Boxes of map b that lie on one of map a.
-  double log_odds = 0;     ///< See judge(): that this fit is right, up to a constant.
+  double log_odds = 0;     ///< See verdict_model.h: that this fit is right, up to a constant.
   double probability = 0;  ///< That this fit is right, and not another or none.
 };
 

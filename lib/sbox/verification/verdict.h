@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From evidence to probability and verdict. All fits of a pair compete with each other and with
-// "none of them" in one conditional logit model, so that a poor fit and a good fit that has a rival
-// both end with a low probability.
+// From the probabilities of a pair's fits (verdict_model.h) to a verdict with its reason in words.
 #pragma once
 
 #include <string>
@@ -17,9 +15,6 @@ namespace sbox {
 struct VerdictOptions {
   double accept_from = 0.7;  ///< Probability from which the best fit is accepted.
 };
-
-/// Sets log_odds and probability of each fit, and sorts by it, the most probable first.
-void judge(std::vector<Fit>& fits);
 
 /// The verdict on the best of judged fits, and the reason in words.
 struct Verdicted {
