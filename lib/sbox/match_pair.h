@@ -15,13 +15,14 @@
 
 namespace sbox {
 
+/// Options of every stage of a pair, and of the features it needs.
 struct PairOptions {
-  FeatureOptions features;
-  VoteOptions votes;
-  CorrelationSearchOptions correlation;
+  FeatureOptions features;               ///< Of extractFeatures.
+  VoteOptions votes;                     ///< Transforms that features propose.
+  CorrelationSearchOptions correlation;  ///< The search where features propose nothing sure.
   double sure = 0.995;  ///< Probability from which the search ends with what the features proposed.
-  RankingOptions ranking;
-  VerdictOptions verdict;
+  RankingOptions ranking;  ///< Which transforms fit the cells.
+  VerdictOptions verdict;  ///< When to accept.
 };
 
 /// All fits of two maps that were worth judging, the most probable first: those of the hypotheses

@@ -26,6 +26,7 @@ struct AxisLine {
   double slope = 0;       ///< Change of `across` a metre along.
   double wall_share = 0;  ///< Share that lies at a wall.
 
+  /// Coordinate on the other axis at the place `along`.
   [[nodiscard]] double acrossAt(double along) const {
     return across + slope * (along - 0.5 * (low + high));
   }
@@ -33,6 +34,7 @@ struct AxisLine {
   [[nodiscard]] double cover(double from, double to) const;
 };
 
+/// What counts as a line of a frame.
 struct AxisLineOptions {
   double max_tilt = 20;         ///< Off the axis, degrees.
   double join_gap = 2.5;        ///< Stretches of a wall this far apart are one line, metres.

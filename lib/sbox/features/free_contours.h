@@ -13,14 +13,15 @@ namespace sbox {
 
 /// A free cell at the edge of free space.
 struct ContourCell {
-  int x = 0;
-  int y = 0;
+  int x = 0;             ///< Column.
+  int y = 0;             ///< Row, upwards.
   bool at_wall = false;  ///< An occupied cell lies next to it or behind one unknown cell.
 };
 
 /// A closed walk along the edge of free space, cell by cell, free space on the left.
 using FreeContour = std::vector<ContourCell>;
 
+/// Which outlines are kept.
 struct ContourOptions {
   int min_cells = 4;  ///< Shorter contours are specks.
 };

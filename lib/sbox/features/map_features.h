@@ -20,25 +20,26 @@
 
 namespace sbox {
 
+/// Options of the stage, step by step.
 struct FeatureOptions {
-  StateOptions states;
+  StateOptions states;              ///< Free, occupied or unknown.
   double working_resolution = 0.1;  ///< Finer maps are read in cells of this size, metres.
   double free_spacing = 0.4;        ///< Between the free points, metres.
-  ContourOptions contours;
-  WallLineOptions walls;
-  FrameOptions frames;
-  AxisLineOptions axis_lines;
-  CornerOptions corners;
-  BoxLimits boxes;
-  FieldOptions fields;
+  ContourOptions contours;          ///< Outlines of free space.
+  WallLineOptions walls;            ///< Lines and points on them.
+  FrameOptions frames;              ///< Directions that many walls share.
+  AxisLineOptions axis_lines;       ///< Lines along those.
+  CornerOptions corners;            ///< Where two of them meet.
+  BoxLimits boxes;                  ///< What four of them enclose.
+  FieldOptions fields;              ///< Distances to walls.
 };
 
 /// Lines, corners and boxes along one frame's axes.
 struct FrameFeatures {
-  WallFrame frame;
-  AxisLines lines;
-  std::vector<WallCorner> corners;
-  std::vector<WallBox> boxes;
+  WallFrame frame;                  ///< Its axes.
+  AxisLines lines;                  ///< By the side they face.
+  std::vector<WallCorner> corners;  ///< Right angles.
+  std::vector<WallBox> boxes;       ///< Suppositional boxes.
 };
 
 /// Everything is in the grid frame: origin at the corner of the cropped grid, axes along its rows
@@ -55,9 +56,10 @@ struct MapFeatures {
   std::vector<Eigen::Vector2d> free_points;  ///< On a square lattice in free space; scattered too.
   double free_point_area = 0;                ///< Area that each stands for, square metres.
   std::vector<FrameFeatures> frames;         ///< The strongest first.
-  WallFields fields;
+  WallFields fields;                         ///< To ask how far a wall is from anywhere.
   std::uint64_t digest = 0;  ///< Of the cells: orders a pair of maps whichever way it was given.
 
+  /// Whether there is no wall to match.
   [[nodiscard]] bool empty() const { return wall_points.empty(); }
 };
 

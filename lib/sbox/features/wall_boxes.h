@@ -17,13 +17,14 @@ namespace sbox {
 /// In the frame's axes, metres.
 struct WallBox {
   std::array<Eigen::Vector2d, 4> corners;  ///< Counter-clockwise from the lower left.
-  Eigen::Vector2d centre;
-  double size_x = 0;          ///< Mean length of the sides along x.
-  double size_y = 0;          ///< Mean length of the sides along y.
+  Eigen::Vector2d centre;                  ///< Mean of the corners.
+  double size_x = 0;                       ///< Mean length of the sides along x.
+  double size_y = 0;                       ///< Mean length of the sides along y.
   QuarterMask facing_in = 0;  ///< The sides (right, upper, left, lower) whose free side is inside.
   double cover = 0;           ///< Mean share of the sides that is real wall line.
 };
 
+/// Which boxes are kept.
 struct BoxLimits {
   double min_side = 1.0;    ///< Metres.
   double max_side = 40.0;   ///< Metres.

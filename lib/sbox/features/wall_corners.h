@@ -21,12 +21,13 @@ using QuarterMask = std::uint8_t;
 
 /// Where two perpendicular lines meet, or would. In the frame's axes, metres.
 struct WallCorner {
-  Eigen::Vector2d position;
+  Eigen::Vector2d position;    ///< Where the two lines meet.
   QuarterMask free_sides = 0;  ///< The side each of the two lines faces.
   QuarterMask arms = 0;        ///< The directions in which a line runs from here.
   double strength = 0;         ///< Length of the shorter line's arm, metres.
 };
 
+/// Which corners are kept.
 struct CornerOptions {
   double reach = 3.0;    ///< Both lines come this near to the corner, metres.
   double min_arm = 0.4;  ///< A line that goes less far beyond the corner has no arm there, metres.

@@ -15,6 +15,7 @@
 
 namespace sbox {
 
+/// Cells and reach of the fields.
 struct FieldOptions {
   double resolution = 0.2;     ///< Of the fields' cells, metres.
   double reach = 2.0;          ///< Walls further off are as good as none, metres.
@@ -31,13 +32,14 @@ using ByteAngle = std::uint8_t;
   return static_cast<std::uint8_t>(direction + 16) >> 5;
 }
 
+/// How far each place is from walls, by the direction these face, and from what is not free.
 struct WallFields {
   static constexpr double unit = 0.01;      ///< Of the distances below, metres.
   static constexpr std::uint8_t far = 255;  ///< No wall within reach.
 
-  int width = 0;
-  int height = 0;
-  double resolution = 0;
+  int width = 0;           ///< Cells in a row.
+  int height = 0;          ///< Rows.
+  double resolution = 0;   ///< Edge length of a cell, metres.
   Eigen::Vector2d origin;  ///< Corner of cell (0, 0) in the grid frame: the fields have a margin.
   /// Byte s of a cell: distance from its centre to the nearest wall point that faces sector s.
   std::vector<std::uint64_t> distances;

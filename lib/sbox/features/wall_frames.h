@@ -10,12 +10,13 @@
 
 namespace sbox {
 
+/// Which directions make a frame.
 struct FrameOptions {
   double min_wall_share = 0.5;  ///< Of lines that count: the edge of the unknown has no direction.
   double smoothing = 2.0;       ///< Standard deviation of the direction histogram, degrees.
   double separation = 12.0;     ///< Between two frames, degrees.
   double min_share = 0.2;       ///< A further frame's peak over the highest.
-  int max_frames = 3;
+  int max_frames = 3;           ///< The strongest are kept.
 };
 
 /// A direction in which walls run, they or their perpendiculars, and how much speaks for it.

@@ -14,11 +14,13 @@ namespace sbox {
 
 /// A straight stretch; walking from `from` to `to`, free space is on the left. Grid frame, metres.
 struct WallLine {
-  Eigen::Vector2d from;
-  Eigen::Vector2d to;
+  Eigen::Vector2d from;   ///< Where it begins.
+  Eigen::Vector2d to;     ///< Where it ends.
   double wall_share = 0;  ///< Share of its cells that lie at a wall; the rest border the unknown.
 
+  /// Metres.
   [[nodiscard]] double length() const { return (to - from).norm(); }
+  /// Unit vector from its begin to its end.
   [[nodiscard]] Eigen::Vector2d direction() const { return (to - from).normalized(); }
   /// Unit vector to the free side.
   [[nodiscard]] Eigen::Vector2d normal() const {
@@ -29,10 +31,11 @@ struct WallLine {
 
 /// A point on a wall's face, in the grid frame, metres.
 struct WallPoint {
-  Eigen::Vector2d position;
-  Eigen::Vector2d normal;  ///< Unit vector to the free side.
+  Eigen::Vector2d position;  ///< On the outline.
+  Eigen::Vector2d normal;    ///< Unit vector to the free side.
 };
 
+/// How outlines become lines and points.
 struct WallLineOptions {
   double tolerance = 0.15;      ///< Of the Douglas-Peucker simplification, metres.
   double min_length = 0.5;      ///< Of a line, metres.
@@ -40,8 +43,9 @@ struct WallLineOptions {
   double tangent_reach = 0.35;  ///< Either side of a point that is on no line, metres.
 };
 
+/// What stands round the free space.
 struct Walls {
-  std::vector<WallLine> lines;
+  std::vector<WallLine> lines;    ///< Outline by outline.
   std::vector<WallPoint> points;  ///< Along all outlines, only where these lie at a wall.
 };
 

@@ -13,8 +13,9 @@
 
 namespace sbox {
 
+/// How fine the search is.
 struct CorrelationSearchOptions {
-  HeadingOptions headings;
+  HeadingOptions headings;  ///< Which turns are tried.
   double resolution = 0.8;  ///< Of the pictures' cells, metres; coarser where maps are large ...
   int most_cells = 256;     ///< ... so that no map is more than this many cells wide or high.
   double wall_blur = 0.5;   ///< Standard deviation at which walls agree, metres.

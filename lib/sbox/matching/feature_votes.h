@@ -12,6 +12,7 @@
 
 namespace sbox {
 
+/// How features vote.
 struct VoteOptions {
   double bin = 0.6;             ///< Edge of a bin of translations, metres.
   double box_weight = 1.0;      ///< Of a pair of boxes; a pair of corners counts 1.

@@ -10,6 +10,7 @@
 
 namespace sbox {
 
+/// Which turns are candidates.
 struct HeadingOptions {
   double step = 4.0;       ///< Between neighbouring headings, degrees.
   double smoothing = 3.0;  ///< Standard deviation of the histograms of facing directions, degrees.

@@ -16,9 +16,11 @@ struct RigidTransform {
   double heading = 0;                                     ///< Radians.
   Eigen::Vector2d translation = Eigen::Vector2d::Zero();  ///< Metres.
 
+  /// The point in the grid frame of map a.
   [[nodiscard]] Eigen::Vector2d operator*(const Eigen::Vector2d& point_b) const {
     return Eigen::Rotation2Dd(heading) * point_b + translation;
   }
+  /// The transform from map a to map b.
   [[nodiscard]] RigidTransform inverse() const {
     return {-heading, -(Eigen::Rotation2Dd(-heading) * translation)};
   }
@@ -26,13 +28,18 @@ struct RigidTransform {
 
 /// A transform with its sine and cosine at hand, to move many points.
 struct PointMover {
-  double c, s, x, y;
+  double c;  ///< Cosine of the heading.
+  double s;  ///< Its sine.
+  double x;  ///< Translation, metres.
+  double y;  ///< Translation, metres.
 
+  /// From the transform.
   explicit PointMover(const RigidTransform& transform)
       : c(std::cos(transform.heading)),
         s(std::sin(transform.heading)),
         x(transform.translation.x()),
         y(transform.translation.y()) {}
+  /// The point moved.
   [[nodiscard]] Eigen::Vector2d operator()(const Eigen::Vector2d& p) const {
     return {c * p.x() - s * p.y() + x, s * p.x() + c * p.y() + y};
   }
@@ -44,8 +51,8 @@ struct PointMover {
 
 /// A transform that features proposed, before the cells were asked.
 struct Hypothesis {
-  RigidTransform b_in_a;
-  double votes = 0;
+  RigidTransform b_in_a;  ///< From map b to map a.
+  double votes = 0;       ///< Weights of the features that proposed it, summed.
 };
 
 }  // namespace sbox

@@ -16,11 +16,12 @@ namespace sbox {
 /// Two boxes and which corners of them lie on each other.
 struct BoxMatch {
   int a = 0;  ///< Index into the boxes of all frames of map a, in the order of its feature set.
-  int b = 0;
+  int b = 0;  ///< The same for map b.
   std::array<Eigen::Vector2d, 4> corners_a;  ///< In the grid frame of map a, metres.
   std::array<Eigen::Vector2d, 4> corners_b;  ///< In the grid frame of map b; corner i lies on i.
 };
 
+/// When two boxes are one.
 struct BoxMatchOptions {
   double corner_distance = 0.5;  ///< All four corners lie this near, metres.
 };

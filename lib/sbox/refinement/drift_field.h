@@ -14,6 +14,7 @@
 
 namespace sbox {
 
+/// How stiff the field is, and what it is fitted to.
 struct DriftOptions {
   double node_spacing = 8.0;  ///< Of the lattice that carries the field, metres.
   int most_nodes = 12;        ///< Along each axis: large maps get a wider lattice.
@@ -21,8 +22,8 @@ struct DriftOptions {
   double wall_noise = 0.2;    ///< Expected offset of walls that agree, metres.
   double first_kernel = 1.0;  ///< Scale of the robust kernel in the first round, metres; ...
   double last_kernel = 0.25;  ///< ... it shrinks to this in the last.
-  int rounds = 5;
-  size_t most_points = 800;  ///< Wall points used of each map.
+  int rounds = 5;             ///< Of reweighted least squares.
+  size_t most_points = 800;   ///< Wall points used of each map.
 };
 
 /// Displacements at the nodes of a lattice, bilinear in between, constant beyond.
@@ -30,10 +31,11 @@ struct DriftField {
   Eigen::Vector2d origin =
       Eigen::Vector2d::Zero();  ///< Of node (0, 0), in the grid frame of map a.
   double spacing = 1;           ///< Metres.
-  int columns = 1;
-  int rows = 1;
+  int columns = 1;              ///< Nodes in a row.
+  int rows = 1;                 ///< Rows of nodes.
   std::vector<Eigen::Vector2d> displacements = {Eigen::Vector2d::Zero()};  ///< Row by row, metres.
 
+  /// Displacement at a point of the grid frame of map a, metres.
   [[nodiscard]] Eigen::Vector2d at(const Eigen::Vector2d& point) const;
   /// Root mean square change between neighbouring nodes, metres.
   [[nodiscard]] double roughness() const;

@@ -10,6 +10,7 @@
 
 namespace sbox {
 
+/// How walls are laid on walls.
 struct AlignmentOptions {
   double kernel = 1.25;  ///< Scale of the robust kernel, metres: walls further off count little.
   int iterations = 20;   ///< At most.

@@ -15,6 +15,7 @@
 
 namespace sbox {
 
+/// What counts as agreement and as conflict.
 struct EvidenceOptions {
   double wide = 0.5;           ///< Standard deviation at which walls agree in drifted maps, metres.
   double tight = 0.12;         ///< The same in maps without drift, metres.
@@ -42,11 +43,12 @@ struct Evidence {
 /// The weights of the options by quantised distance or depth (see WallFields), made once for many
 /// hypotheses.
 struct EvidenceWeights {
+  /// The weights of the options.
   EvidenceWeights(const EvidenceOptions& options = {});  // NOLINT: options serve where weights do.
 
-  std::array<float, 256> wide{};
-  std::array<float, 256> tight{};
-  std::array<float, 256> conflict{};
+  std::array<float, 256> wide{};      ///< Of a wall this far off, see EvidenceOptions::wide.
+  std::array<float, 256> tight{};     ///< See EvidenceOptions::tight.
+  std::array<float, 256> conflict{};  ///< See conflictWeight().
 };
 
 constexpr size_t kAllPoints = std::numeric_limits<size_t>::max();

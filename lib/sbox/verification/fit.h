@@ -10,7 +10,7 @@ namespace sbox {
 
 /// A hypothesis that was aligned to the walls, and what the cells say of it.
 struct Fit {
-  RigidTransform b_in_a;
+  RigidTransform b_in_a;   ///< From map b to map a.
   Evidence evidence;       ///< Of the rigid transform.
   DriftField drift;        ///< How the maps are bent against each other under it.
   Evidence bent_evidence;  ///< With the drift taken out, on a narrow scale.

@@ -17,6 +17,7 @@
 
 namespace sbox {
 
+/// How many transforms each step keeps.
 struct RankingOptions {
   int first_points = 32;       ///< Wall points of each map that every hypothesis is asked of.
   int first_kept = 400;        ///< Hypotheses kept after that.
@@ -32,9 +33,9 @@ struct RankingOptions {
   double same_bent = 0.6;      ///< Fits that lay the walls this near once bent are one, metres.
   EvidenceOptions evidence;    ///< Of rigid transforms.
   EvidenceOptions bent_evidence = {0.25, 0.08, 0.15, 0.45};  ///< With the drift taken out.
-  AlignmentOptions alignment;
-  DriftOptions drift;
-  BoxMatchOptions boxes;
+  AlignmentOptions alignment;                                ///< Of the best ones.
+  DriftOptions drift;                                        ///< Of maps that are bent.
+  BoxMatchOptions boxes;                                     ///< Boxes that count as agreeing.
 };
 
 /// The best distinct fits, most plausible first. The order of the hypotheses matters only between

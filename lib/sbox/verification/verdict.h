@@ -12,14 +12,15 @@
 
 namespace sbox {
 
+/// When to accept.
 struct VerdictOptions {
   double accept_from = 0.7;  ///< Probability from which the best fit is accepted.
 };
 
 /// The verdict on the best of judged fits, and the reason in words.
 struct Verdicted {
-  Verdict verdict = Verdict::Rejected;
-  std::string reason;
+  Verdict verdict = Verdict::Rejected;  ///< On the best fit.
+  std::string reason;                   ///< One sentence.
 };
 [[nodiscard]] Verdicted decide(const std::vector<Fit>& fits, const VerdictOptions& options = {});
 
