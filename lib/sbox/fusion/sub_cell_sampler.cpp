@@ -49,6 +49,9 @@ Evidence SubCellSampler::blend(const SubCell& place) const {
   gather(b, fx * (kOne - fy));
   gather(c, (kOne - fx) * fy);
   gather(d, fx * fy);
+  if (same_weight == 0 || known_weight == 0) {
+    return {};
+  }
   const int net = roundedRatio(sum, known_weight);
   return {roundedRatio(same_sum, same_weight), state < 0 ? std::min(net, -1) : std::max(net, 1)};
 }

@@ -21,7 +21,10 @@ class HoughVotes {
   /// Occupied cells that voted for the bin and were not withdrawn.
   [[nodiscard]] int votes(int bin) const { return votes_[static_cast<size_t>(bin)]; }
   /// Direction of the normal of a bin's line, radians in [0, pi).
-  [[nodiscard]] double theta(int bin) const { return bin / rho_bins_ * theta_step_; }
+  [[nodiscard]] double theta(int bin) const {
+    const int angle = bin / rho_bins_;
+    return angle * theta_step_;
+  }
   /// Distance of a bin's line from the lower-left corner of the grid along its normal, metres.
   [[nodiscard]] double rho(int bin) const { return rho_first_ + bin % rho_bins_ * rho_step_; }
   /// Takes back all votes of cell (x, y).

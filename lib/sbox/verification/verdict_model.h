@@ -27,6 +27,7 @@ constexpr size_t kVerdictTerms = 8;
 
 /// Weights found by maximum likelihood: `sbox-bench FOLDERS --fit-verdict` prints them.
 struct VerdictModel {
+  /// Of the terms, in their order.
   std::array<double, kVerdictTerms> weights = {20.634,  0.936,  -0.2173, -0.3587,
                                                -10.255, 0.3483, 0.7715,  0.4869};
   double none = 13.976;  ///< Log odds of "none of the fits is right".
