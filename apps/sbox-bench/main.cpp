@@ -12,12 +12,14 @@
 #include <vector>
 
 #include "sbox-bench/calibration.h"
+#include "sbox-bench/fit_verdict.h"
 #include "sbox-bench/io_floor.h"
 #include "sbox-bench/method_list.h"
 #include "sbox-bench/overlay_picture.h"
 #include "sbox-bench/run_method.h"
 #include "sbox-bench/score_table.h"
 #include "sbox-bench/write_answers.h"
+#include "sbox/verification/verdict.h"
 
 namespace {
 
@@ -30,6 +32,7 @@ struct Arguments {
   bool markdown = false;
   bool no_seconds = false;
   bool ratios = false;
+  bool fit_verdict = false;
   std::string answers_file;
   std::string json_file;
   std::string wrong_folder;
@@ -39,8 +42,7 @@ struct Arguments {
 void addOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("FOLDER", arguments.folders, "Folders that hold a pairs.json")->required();
   app.add_option("--method", arguments.methods, "Methods to run, side by side")
-      ->check(CLI::IsMember(methodNames()))
-      ->required();
+      ->check(CLI::IsMember(methodNames()));
   app.add_option("--only", arguments.run.only,
                  "Only pairs whose \"folder group a b\" holds this text");
   app.add_option("--every", arguments.run.every, "Only each N-th of them")
@@ -61,6 +63,8 @@ void addOptions(CLI::App& app, Arguments& arguments) {
                "Leave times out of these files, so that two runs compare byte by byte");
   app.add_flag("--ratios", arguments.ratios,
                "Also time load, save and draw alone, and print times as ratios to them");
+  app.add_flag("--fit-verdict", arguments.fit_verdict,
+               "Fit the weights of the default method's verdict to the pairs and cross-validate");
   app.add_flag("--markdown", arguments.markdown, "Print tables as Markdown");
 }
 
@@ -100,10 +104,32 @@ void printTables(const MethodRun& method_run, bool markdown) {
   }
 }
 
+void printFit(const std::vector<LoadedFolder>& folders, const Arguments& arguments) {
+  std::vector<VerdictSample> samples;
+  std::vector<std::string> names;
+  for (const LoadedFolder& folder : folders) {
+    const std::vector<VerdictSample> found =
+        collectSamples(folder, names.size(), arguments.run.threads);
+    samples.insert(samples.end(), found.begin(), found.end());
+    names.push_back(folder.folder.name);
+  }
+  const sbox::VerdictModel model = fitModel(samples);
+  std::printf("weights:");
+  for (const double weight : model.weights) {
+    std::printf(" %.5g", weight);
+  }
+  std::printf("; none: %.5g\n\n", model.none);
+  print(crossValidation(samples, names, sbox::VerdictOptions{}.accept_from), arguments.markdown);
+}
+
 void run(const Arguments& arguments) {
   std::vector<LoadedFolder> folders;
   for (const std::string& folder : arguments.folders) {
     folders.push_back(loadFolder(readPairFolder(folder), arguments.run));
+  }
+  if (arguments.fit_verdict) {
+    printFit(folders, arguments);
+    return;
   }
   std::vector<std::vector<FloorSeconds>> floors;
   if (arguments.ratios) {
@@ -145,6 +171,9 @@ int main(int argc, char** argv) {
   addOptions(app, arguments);
   try {
     app.parse(argc, argv);
+    if (arguments.methods.empty() && !arguments.fit_verdict) {
+      throw CLI::RequiredError("--method or --fit-verdict");
+    }
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }

@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox-bench/fit_verdict.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "sbox-bench/judge.h"
+#include "sbox/core/parallel.h"
+#include "sbox/match_pair.h"
+
+namespace sbox::bench {
+namespace {
+
+constexpr int kFolds = 3;
+constexpr Eigen::Index kSize = kVerdictTerms + 1;  // The last is "none of the fits".
+using Weights = Eigen::Matrix<double, kSize, 1>;
+using Curvature = Eigen::Matrix<double, kSize, kSize>;
+
+/// The choices of a pair, a column each, the last "none"; terms scaled to mean 0 and variance 1.
+struct Choices {
+  Eigen::Matrix<double, kSize, Eigen::Dynamic> terms;
+  Eigen::ArrayXd right;  ///< 1 for choices that are right.
+  double weight = 0;
+};
+
+struct Scale {
+  Weights mean = Weights::Zero();
+  Weights deviation = Weights::Ones();
+};
+
+Scale scaleOf(const std::vector<VerdictSample>& samples) {
+  Weights sum = Weights::Zero(), squares = Weights::Zero();
+  double count = 0;
+  for (const VerdictSample& sample : samples) {
+    for (const auto& terms : sample.terms) {
+      for (size_t i = 0; i < kVerdictTerms; ++i) {
+        const auto k = static_cast<Eigen::Index>(i);
+        sum(k) += terms[i];
+        squares(k) += terms[i] * terms[i];
+      }
+      ++count;
+    }
+  }
+  Scale scale;
+  for (Eigen::Index k = 0; k + 1 < kSize && count > 0; ++k) {
+    scale.mean(k) = sum(k) / count;
+    scale.deviation(k) =
+        std::sqrt(std::max(1e-12, squares(k) / count - scale.mean(k) * scale.mean(k)));
+  }
+  return scale;
+}
+
+std::vector<Choices> makeChoices(const std::vector<VerdictSample>& samples, const Scale& scale) {
+  std::vector<double> pairs_of_folder;
+  for (const VerdictSample& sample : samples) {
+    pairs_of_folder.resize(std::max(pairs_of_folder.size(), sample.folder + 1), 0.0);
+    ++pairs_of_folder[sample.folder];
+  }
+  const auto folders = static_cast<double>(std::count_if(
+      pairs_of_folder.begin(), pairs_of_folder.end(), [](double n) { return n > 0; }));
+  std::vector<Choices> all;
+  for (const VerdictSample& sample : samples) {
+    Choices choices;
+    const auto count = static_cast<Eigen::Index>(sample.terms.size());
+    choices.terms.setZero(kSize, count + 1);
+    choices.right.setZero(count + 1);
+    for (Eigen::Index j = 0; j < count; ++j) {
+      for (Eigen::Index k = 0; k + 1 < kSize; ++k) {
+        choices.terms(k, j) =
+            (sample.terms[static_cast<size_t>(j)][static_cast<size_t>(k)] - scale.mean(k)) /
+            scale.deviation(k);
+      }
+      choices.right(j) = sample.right[static_cast<size_t>(j)] ? 1 : 0;
+    }
+    choices.terms(kSize - 1, count) = 1;
+    choices.right(count) = choices.right.sum() > 0 ? 0 : 1;
+    choices.weight = 1 / (pairs_of_folder[sample.folder] * folders);
+    all.push_back(std::move(choices));
+  }
+  return all;
+}
+
+/// Negative log likelihood with the ridge, its gradient and a curvature that is never too small.
+double evaluate(const std::vector<Choices>& all, const Weights& weights, double ridge,
+                Weights* gradient, Curvature* curvature) {
+  Weights penalty = Weights::Constant(2 * ridge);
+  penalty(kSize - 1) = 0;
+  double loss = 0.5 * weights.dot(penalty.cwiseProduct(weights));
+  if (gradient != nullptr) {
+    *gradient = penalty.cwiseProduct(weights);
+    *curvature = Curvature((penalty.array() + 1e-9).matrix().asDiagonal());
+  }
+  for (const Choices& choices : all) {
+    const Eigen::ArrayXd scores = (choices.terms.transpose() * weights).array();
+    const Eigen::ArrayXd shares = (scores - scores.maxCoeff()).exp();
+    const double total = shares.sum(), right = (shares * choices.right).sum();
+    loss += choices.weight * (std::log(total) - std::log(right));
+    if (gradient != nullptr) {
+      const Eigen::VectorXd p = (shares / total).matrix();
+      const Eigen::VectorXd q = (shares * choices.right / right).matrix();
+      const Weights mean = choices.terms * p;
+      *gradient += choices.weight * (mean - choices.terms * q);
+      *curvature += choices.weight * (choices.terms * p.asDiagonal() * choices.terms.transpose() -
+                                      mean * mean.transpose());
+    }
+  }
+  return loss;
+}
+
+}  // namespace
+
+std::vector<VerdictSample> collectSamples(const LoadedFolder& loaded, size_t folder, int threads) {
+  const PairOptions options;
+  std::vector<MapFeatures> features(loaded.maps.size());
+  parallelFor(static_cast<int>(features.size()), threads, [&](int i) {
+    const auto k = static_cast<size_t>(i);
+    features[k] = extractFeatures(loaded.maps[k], options.features);
+  });
+  std::vector<VerdictSample> samples(loaded.folder.pairs.size());
+  parallelFor(static_cast<int>(samples.size()), threads, [&](int i) {
+    const auto k = static_cast<size_t>(i);
+    const auto a = static_cast<size_t>(loaded.map_of_pair[k].first);
+    const auto b = static_cast<size_t>(loaded.map_of_pair[k].second);
+    samples[k].folder = folder;
+    PairSeconds seconds;
+    for (const Fit& fit : findFits(features[a], features[b], options, seconds)) {
+      const Pose2D pose = framePose(features[a], features[b], fit.b_in_a);
+      const std::optional<PoseError> error = poseError(
+          loaded.folder.pairs[k], loaded.folder.resolution,
+          cornerTransform(pose, loaded.maps[a].corner_in_map, loaded.maps[b].corner_in_map));
+      samples[k].terms.push_back(verdictTerms(fit));
+      samples[k].right.push_back(error && error->right);
+    }
+  });
+  return samples;
+}
+
+VerdictModel fitModel(const std::vector<VerdictSample>& samples, double ridge) {
+  const Scale scale = scaleOf(samples);
+  const std::vector<Choices> all = makeChoices(samples, scale);
+  Weights weights = Weights::Zero();
+  constexpr int most_steps = 200;
+  for (int i = 0; i < most_steps; ++i) {
+    Weights gradient;
+    Curvature curvature;
+    const double loss = evaluate(all, weights, ridge, &gradient, &curvature);
+    const Weights step = curvature.ldlt().solve(gradient);
+    double length = 1;
+    while (length > 1e-6 &&
+           evaluate(all, weights - length * step, ridge, nullptr, nullptr) > loss) {
+      length /= 2;
+    }
+    weights -= length * step;
+    if (gradient.norm() < 1e-8 || length <= 1e-6) {
+      break;
+    }
+  }
+  VerdictModel model;
+  model.none = weights(kSize - 1);
+  for (size_t i = 0; i < kVerdictTerms; ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    model.weights[i] = weights(k) / scale.deviation(k);
+    model.none += model.weights[i] * scale.mean(k);
+  }
+  return model;
+}
+
+std::vector<double> probabilities(const VerdictSample& sample, const VerdictModel& model) {
+  std::vector<double> odds;
+  double highest = model.none;
+  for (const auto& terms : sample.terms) {
+    double sum = 0;
+    for (size_t i = 0; i < kVerdictTerms; ++i) {
+      sum += model.weights[i] * terms[i];
+    }
+    odds.push_back(sum);
+    highest = std::max(highest, sum);
+  }
+  double total = std::exp(model.none - highest);
+  for (double& value : odds) {
+    value = std::exp(value - highest);
+    total += value;
+  }
+  for (double& value : odds) {
+    value /= total;
+  }
+  return odds;
+}
+
+Table crossValidation(const std::vector<VerdictSample>& samples,
+                      const std::vector<std::string>& folder_names, double accept_from) {
+  // Pairs of one folder come in an order that puts like ones together; threes keep them so.
+  const auto foldOf = [](size_t i) { return static_cast<int>(i / kFolds % kFolds); };
+  std::vector<VerdictModel> models;
+  for (int fold = 0; fold < kFolds; ++fold) {
+    std::vector<VerdictSample> others;
+    for (size_t i = 0; i < samples.size(); ++i) {
+      if (foldOf(i) != fold) {
+        others.push_back(samples[i]);
+      }
+    }
+    models.push_back(fitModel(others));
+  }
+  struct Count {
+    int pairs = 0, right = 0, wrong = 0;
+  };
+  std::vector<Count> of_folder(folder_names.size());
+  constexpr std::array<double, 6> bins = {0, 0.5, 0.7, 0.9, 0.97, 1.000001};
+  std::array<double, 5> sum{};
+  std::array<Count, 5> of_bin{};
+  for (size_t i = 0; i < samples.size(); ++i) {
+    const std::vector<double> p = probabilities(samples[i], models[static_cast<size_t>(foldOf(i))]);
+    Count& count = of_folder[samples[i].folder];
+    ++count.pairs;
+    if (p.empty()) {
+      continue;
+    }
+    const auto best = static_cast<size_t>(std::max_element(p.begin(), p.end()) - p.begin());
+    const bool right = samples[i].right[best];
+    if (p[best] >= accept_from) {
+      ++(right ? count.right : count.wrong);
+    }
+    const auto bin =
+        static_cast<size_t>(std::upper_bound(bins.begin(), bins.end(), p[best]) - bins.begin() - 1);
+    sum[bin] += p[best];
+    ++of_bin[bin].pairs;
+    of_bin[bin].right += right ? 1 : 0;
+  }
+  Table table;
+  table.header = {"left out of the fit", "pairs",      "right", "wrong",
+                  "mean confidence",     "right share"};
+  for (size_t f = 0; f < of_folder.size(); ++f) {
+    table.rows.push_back({folder_names[f], std::to_string(of_folder[f].pairs),
+                          std::to_string(of_folder[f].right), std::to_string(of_folder[f].wrong),
+                          "", ""});
+  }
+  for (size_t bin = 0; bin < of_bin.size(); ++bin) {
+    if (of_bin[bin].pairs > 0) {
+      table.rows.push_back(
+          {formatNumber(bins[bin], 2) + " to " + formatNumber(bins[bin + 1], 2),
+           std::to_string(of_bin[bin].pairs), std::to_string(of_bin[bin].right), "",
+           formatNumber(sum[bin] / of_bin[bin].pairs, 3),
+           formatNumber(of_bin[bin].right / static_cast<double>(of_bin[bin].pairs), 3)});
+    }
+  }
+  return table;
+}
+
+}  // namespace sbox::bench

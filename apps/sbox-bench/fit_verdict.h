@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Fits the weights of the verdict's model (sbox/verification/verdict_model.h) to pairs with known
+// truth, and shows on pairs that were left out how far its probabilities can be trusted.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "sbox-bench/run_method.h"
+#include "sbox-bench/table.h"
+#include "sbox/verification/verdict_model.h"
+
+namespace sbox::bench {
+
+/// One pair of maps: its fits, and which of them are right (none for maps without common place).
+struct VerdictSample {
+  size_t folder = 0;
+  std::vector<std::array<double, kVerdictTerms>> terms;
+  std::vector<bool> right;
+};
+
+/// The fits of every pair of a folder, with the default options. `folder`: its number.
+[[nodiscard]] std::vector<VerdictSample> collectSamples(const LoadedFolder& loaded, size_t folder,
+                                                        int threads);
+
+/// The most likely model. Every folder counts the same, however many pairs it has; `ridge` keeps
+/// weights (of terms scaled to unit variance) small.
+[[nodiscard]] VerdictModel fitModel(const std::vector<VerdictSample>& samples, double ridge = 3e-3);
+
+/// Probability of each fit of a sample.
+[[nodiscard]] std::vector<double> probabilities(const VerdictSample& sample,
+                                                const VerdictModel& model);
+
+/// Reliability in three-fold cross-validation: each third of the pairs is judged by a model fitted
+/// to the others. `accept_from`: probability from which an answer counts as given.
+[[nodiscard]] Table crossValidation(const std::vector<VerdictSample>& samples,
+                                    const std::vector<std::string>& folder_names,
+                                    double accept_from);
+
+}  // namespace sbox::bench
