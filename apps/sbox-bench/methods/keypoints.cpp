@@ -101,4 +101,22 @@ Method keypointMethod(const KeypointOptions& options) {
       });
 }
 
+std::vector<PointMatch> mutualKeypointMatches(const Map& map_a, const Map& map_b,
+                                              const KeypointOptions& options) {
+  const KeypointFeatures a = extract(map_a, options), b = extract(map_b, options);
+  if (a.points.empty() || b.points.empty()) {
+    return {};
+  }
+  const cv::BFMatcher matcher(options.kind == KeypointKind::Orb ? cv::NORM_HAMMING : cv::NORM_L2,
+                              true);
+  std::vector<cv::DMatch> mutual;
+  matcher.match(a.descriptors, b.descriptors, mutual);
+  std::vector<PointMatch> matches;
+  for (const cv::DMatch& m : mutual) {
+    matches.push_back(
+        {a.points[static_cast<size_t>(m.queryIdx)], b.points[static_cast<size_t>(m.trainIdx)]});
+  }
+  return matches;
+}
+
 }  // namespace sbox::bench

@@ -6,6 +6,8 @@
 // corners that look unlike each other, so most matches are wrong.
 #pragma once
 
+#include <vector>
+
 #include "sbox-bench/method.h"
 #include "sbox-bench/methods/rigid_ransac.h"
 
@@ -25,5 +27,10 @@ struct KeypointOptions {
 
 /// Named "orb" or "sift".
 [[nodiscard]] Method keypointMethod(const KeypointOptions& options);
+
+/// Matches of the two maps' keypoints that are each other's nearest by descriptor, before any
+/// RANSAC.
+[[nodiscard]] std::vector<PointMatch> mutualKeypointMatches(const Map& a, const Map& b,
+                                                            const KeypointOptions& options);
 
 }  // namespace sbox::bench
