@@ -22,12 +22,19 @@ Interrupted::Interrupted(int signal)
 
 void noteInterrupts() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before {};
+    sigaction(signal, nullptr, &before);
+    if (before.sa_handler == SIG_IGN) {
+      continue;  // nohup, or a job in the background
+    }
     struct sigaction action {};
     action.sa_handler = noteSignal;
     // A second one ends the command at once.
     action.sa_flags = static_cast<int>(SA_RESETHAND);
     sigaction(signal, &action, nullptr);
   }
+  // A file that grows beyond a limit is then an error of the write, which says so.
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 void checkInterrupt() {

@@ -19,7 +19,8 @@ class Interrupted : public std::runtime_error {
   int exit_code_;
 };
 
-/// From now on SIGINT, SIGTERM and SIGHUP are only noted.
+/// From now on SIGINT, SIGTERM and SIGHUP are only noted, or stay ignored where they were, and a
+/// file that grows beyond a limit is an error like a full disk.
 void noteInterrupts();
 
 /// Throws Interrupted if a signal has been noted.

@@ -8,7 +8,8 @@
 
 namespace sbox::app {
 
-ProgressLine::ProgressLine(bool wanted) : on_terminal_(wanted && isatty(STDERR_FILENO) == 1) {}
+ProgressLine::ProgressLine(bool wanted, double patience)
+    : on_terminal_(wanted && isatty(STDERR_FILENO) == 1), next_(patience) {}
 
 void ProgressLine::show(const std::string& stage, int done, int total) {
   constexpr double pause = 0.1;

@@ -8,12 +8,12 @@
 
 namespace sbox::app {
 
-/// One line on stderr that says how far the work is; shown on a terminal only, once it has taken a
-/// second, and wiped at the end.
+/// One line on stderr that says how far the work is; shown on a terminal only, once it has taken
+/// `patience` seconds, and wiped at the end.
 class ProgressLine {
  public:
   /// `wanted` false: shows nothing ever.
-  explicit ProgressLine(bool wanted);
+  explicit ProgressLine(bool wanted, double patience = 1);
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine() { wipe(); }
@@ -24,7 +24,7 @@ class ProgressLine {
  private:
   bool on_terminal_;
   bool shown_ = false;
-  double next_ = 1.0;  ///< Seconds from which the line may change again.
+  double next_;  ///< Seconds from which the line may change again.
   Stopwatch stopwatch_;
 };
 

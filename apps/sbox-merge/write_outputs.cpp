@@ -39,12 +39,16 @@ std::string tfText(const MergeResult& result, const std::string& file) {
   return extension == ".yaml" || extension == ".yml" ? tfYaml(result) : tfScript(result);
 }
 
-/// A folder that goes again, if it is empty, unless keep() is called.
+/// Folders that go again, if they are empty, unless keep() is called.
 class NewFolder {
  public:
-  explicit NewFolder(const std::string& path) : path_(path) {
+  explicit NewFolder(const std::string& path) {
     std::error_code error;
-    made_ = fs::create_directories(path, error);
+    for (fs::path missing = path; !missing.empty() && !fs::exists(missing, error);
+         missing = missing.parent_path()) {
+      made_.push_back(missing);
+    }
+    fs::create_directories(path, error);
     if (error || !fs::is_directory(path)) {
       throw FileError(path, "cannot be made a folder for the pictures: " +
                                 (error ? error.message() : "it is a file"));
@@ -54,15 +58,14 @@ class NewFolder {
   NewFolder& operator=(const NewFolder&) = delete;
   ~NewFolder() {
     std::error_code ignored;
-    if (made_) {
-      fs::remove(path_, ignored);
+    for (const fs::path& folder : made_) {
+      fs::remove(folder, ignored);
     }
   }
-  void keep() { made_ = false; }
+  void keep() { made_.clear(); }
 
  private:
-  std::string path_;
-  bool made_ = false;
+  std::vector<fs::path> made_;  ///< The innermost first.
 };
 
 }  // namespace

@@ -25,9 +25,11 @@ std::string quoted(const std::string& word) {
 
 }  // namespace
 
-Outcome runMerge(const fs::path& folder, const std::vector<std::string>& arguments) {
+Outcome runMerge(const fs::path& folder, const std::vector<std::string>& arguments,
+                 const std::string& before) {
   const ScratchFolder streams;
-  std::string line = "cd " + quoted(folder.string()) + " && " + quoted(SBOX_MERGE_COMMAND);
+  std::string line =
+      "cd " + quoted(folder.string()) + " && " + before + " && " + quoted(SBOX_MERGE_COMMAND);
   for (const std::string& argument : arguments) {
     line += " " + quoted(argument);
   }

@@ -16,8 +16,9 @@ struct Outcome {
   std::string err;
 };
 
-/// Runs sbox-merge with these arguments in `folder`.
-Outcome runMerge(const std::filesystem::path& folder, const std::vector<std::string>& arguments);
+/// Runs sbox-merge with these arguments in `folder`, after the shell has run `before`.
+Outcome runMerge(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
+                 const std::string& before = "true");
 
 /// The bytes of a file; empty if it is not there.
 std::string contents(const std::filesystem::path& path);

@@ -188,6 +188,8 @@ TEST_CASE("-v tells on stderr what was found") {
   checkContains(outcome.err, "a.yaml: 400 x 320 cells of 0.050 m, ");
   checkContains(outcome.err, " vertical points, ");
   checkContains(outcome.err, "b.yaml in a.yaml: accepted, ");
+  checkContains(outcome.err, "group 0 merged: ");
+  checkContains(outcome.err, "seconds: total ");
 }
 
 TEST_CASE("the dumped configuration is read back and counts") {

@@ -58,6 +58,16 @@ std::vector<std::string> groupLines(const MergeResult& result, const MergedGroup
   return lines;
 }
 
+std::string timeText(const StageSeconds& seconds) {
+  const auto part = [](const char* name, double value) {
+    return std::string(", ") + name + " " + fixedDigits(value, 3);
+  };
+  return "seconds: total " + fixedDigits(seconds.total, 3) + part("load", seconds.load) +
+         part("features", seconds.features) + part("matching", seconds.matching) +
+         part("verification", seconds.verification) + part("refinement", seconds.refinement) +
+         part("fusion", seconds.fusion) + part("save", seconds.save);
+}
+
 }  // namespace
 
 std::string poseText(const Pose2D& pose) {
@@ -112,6 +122,13 @@ std::vector<std::string> detailLines(const MergeResult& result) {
   for (const MapPair& pair : result.pairs) {
     lines.push_back(pairText(result, pair));
   }
+  for (const MergedGroup& merged : result.merged) {
+    lines.push_back("group " + std::to_string(merged.group) +
+                    " merged: " + std::to_string(merged.map.width()) + " x " +
+                    std::to_string(merged.map.height()) + " cells, " +
+                    fixedDigits(100 * merged.conflict_share, 1) + " % in conflict");
+  }
+  lines.push_back(timeText(result.seconds));
   return lines;
 }
 

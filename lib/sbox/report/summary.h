@@ -20,7 +20,8 @@ namespace sbox {
 [[nodiscard]] std::vector<std::string> summaryLines(const MergeResult& result,
                                                     const std::vector<std::string>& merged_files);
 
-/// What was found in each map and in each pair, a line each, for those who want to know more.
+/// What each stage found, for those who want to know more: a line for each map, pair and merged
+/// map, and one for the time that each stage took.
 [[nodiscard]] std::vector<std::string> detailLines(const MergeResult& result);
 
 }  // namespace sbox
