@@ -27,9 +27,12 @@ packages=(
   nlohmann-json3-dev
 )
 check_packages=(
+  chromium
+  clang-14
   clang-format-14
   clang-tidy-14
   doxygen
+  libclang-rt-14-dev
 )
 
 fail() {

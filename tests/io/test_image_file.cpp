@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <opencv2/imgcodecs.hpp>
 #include <random>
 
@@ -33,6 +36,16 @@ std::string encoded(const std::string& extension, const cv::Mat& pixels) {
 std::string bigEndian(std::uint32_t value) {
   return {static_cast<char>(value >> 24), static_cast<char>(value >> 16),
           static_cast<char>(value >> 8), static_cast<char>(value)};
+}
+
+/// What the error says; empty if there is none.
+std::string complaint(const ScratchFolder& folder, const std::string& bytes) {
+  try {
+    (void)load(folder, bytes);
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return {};
 }
 
 }  // namespace
@@ -183,4 +196,47 @@ TEST_CASE("an image's name is known by its extension in any case", "[image_file]
   CHECK_FALSE(isImagePath("a.png/b"));
   CHECK_FALSE(isImagePath("b.png.gz"));
   CHECK_FALSE(isImagePath(".png"));
+}
+
+TEST_CASE("an image that claims more pixels than its bytes can hold is refused unread",
+          "[image_file]") {
+  const ScratchFolder folder;
+  const std::string size = bigEndian(20000);
+  std::string png = encoded(".png", randomPixels(9, 7, CV_8UC1));
+  png.replace(16, 8, size + size);
+  std::string jpeg = encoded(".jpg", randomPixels(9, 7, CV_8UC1));
+  // Height and width stand behind the marker of the frame, its length and the sample size.
+  jpeg.replace(jpeg.find("\xFF\xC0") + 5, 4, std::string("\x4E\x20\x4E\x20", 4));
+  std::string bmp = encoded(".bmp", randomPixels(9, 7, CV_8UC1));
+  bmp.replace(18, 8, std::string("\x20\x4E\0\0\x20\x4E\0\0", 8));
+  for (const std::string& bytes : {png, jpeg, bmp}) {
+    CHECK(contains(complaint(folder, bytes), "ends too early: the image is truncated"));
+  }
+  // The largest numbers there are must not overflow.
+  bmp.replace(18, 12, std::string("\xFF\xFF\xFF\x7F\0\0\0\x80\x01\0\xFF\xFF", 12));
+  CHECK(contains(complaint(folder, bmp), "more than the 400000000"));
+}
+
+TEST_CASE("a damaged image of any kind is refused in silence", "[image_file]") {
+  const ScratchFolder folder;
+  const int kept = dup(STDERR_FILENO);
+  const std::string log = folder.write("log", "");
+  const int file = open(log.c_str(), O_WRONLY);
+  dup2(file, STDERR_FILENO);
+  const cv::Mat pixels = randomPixels(19, 17, CV_8UC1);
+  std::mt19937 random(7);
+  for (const char* extension : {".png", ".jpg", ".tif", ".bmp", ".pgm"}) {
+    const std::string whole = encoded(extension, pixels);
+    for (int i = 0; i < 200; ++i) {
+      std::string damaged = whole;
+      for (int hits = 0; hits < 3; ++hits) {
+        damaged[random() % whole.size()] = static_cast<char>(random());
+      }
+      (void)complaint(folder, damaged);
+    }
+  }
+  dup2(kept, STDERR_FILENO);
+  close(kept);
+  close(file);
+  CHECK(folder.read("log").empty());
 }

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <sys/stat.h>
+
 #include <cmath>
 #include <opencv2/imgcodecs.hpp>
 #include <random>
@@ -179,6 +181,8 @@ TEST_CASE("a .yaml that cannot be used is named with the reason", "[ros_map_file
       {"image: a.pgm\nresolution: 0.05\norigin: [0, 0]\n",
        "\"origin\" is not a list of three numbers: x and y in metres, yaw in radians"},
       {"image: a.pgm\nresolution: 0.05\norigin: [0, inf, 0]\n", "\"origin\" is not a number: inf"},
+      {"image: a.pgm\nresolution: 0.05\norigin: [1e10, 0, 0]\n",
+       "lies too far from the zero of its frame: x 1e+10 m, y 0 m, yaw 0 rad"},
       {yamlText("a.pgm", "mode: wild\n"), "\"mode\" is not trinary, scale or raw but wild"},
       {yamlText("a.pgm", "negate: maybe\n"), "\"negate\" is not a number: maybe"},
       {yamlText("a.pgm", "occupied_thresh: 65\n"),
@@ -204,8 +208,20 @@ TEST_CASE("a .yaml whose image cannot be used names both", "[ros_map_file]") {
       {"folder", "is a folder, not a file"},
       {"empty.pgm", "is empty"},
       {"text.png", "is not an image (PNG, PGM, BMP, JPEG or TIFF), or is damaged"},
+      {"a.yaml", "is not an image (PNG, PGM, BMP, JPEG or TIFF), or is damaged"},
   }));
   const std::string path = folder.write("a.yaml", yamlText(image));
   CHECK_THROWS_WITH(loadMap(path),
                     folder.path(image) + ": " + reason + " (it is the image of " + path + ")");
+}
+
+TEST_CASE("a .yaml may point anywhere, but only an image is read there", "[ros_map_file]") {
+  const ScratchFolder folder;
+  mkfifo(folder.path("pipe").c_str(), 0600);
+  for (const char* image : {"/dev/zero", "/dev/null", "/proc/self/mem", "pipe", "/etc/passwd",
+                            "../../../../../../etc/passwd", "..", "/"}) {
+    INFO(image);
+    const std::string path = folder.write("a.yaml", yamlText(image));
+    CHECK_THROWS_AS(loadMap(path), FileError);
+  }
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace sbox {
 namespace {
@@ -79,6 +81,11 @@ StateGrid resample(const StateGrid& grid, double resolution) {
     return out;
   }
   const double ratio = resolution / grid.resolution;
+  if (grid.width / ratio * (grid.height / ratio) > max_resampled_cells) {
+    throw std::length_error(
+        "a map of " + std::to_string(grid.width) + " x " + std::to_string(grid.height) +
+        " known cells is too large to be matched in cells of " + std::to_string(resolution) + " m");
+  }
   // A sliver of a cell from rounding is not a cell.
   out.width = std::max(1, static_cast<int>(std::ceil(grid.width / ratio - 1e-6)));
   out.height = std::max(1, static_cast<int>(std::ceil(grid.height / ratio - 1e-6)));

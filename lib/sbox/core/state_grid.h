@@ -42,8 +42,12 @@ struct StateOptions {
 /// none.
 [[nodiscard]] StateGrid classifyCells(const Map& map, const StateOptions& options = {});
 
+/// A grid is never resampled to more cells than this.
+inline constexpr double max_resampled_cells = 4e8;
+
 /// The same area in cells of `resolution` metres on the same corner. Coarser cells: occupied if any
 /// cell they touch is, free if all are; finer cells: the state of the cell that holds their centre.
+/// Throws std::length_error where that would take more than max_resampled_cells.
 [[nodiscard]] StateGrid resample(const StateGrid& grid, double resolution);
 
 }  // namespace sbox

@@ -110,6 +110,7 @@ GridmapHeader readGridmapHeader(const std::string& path, const Bytes& header_byt
       !std::isfinite(y_max)) {
     throw FileError(path, "has a position that is no number");
   }
+  checkCorner(path, {header.x_min, header.y_min, 0});
   // saveGridmap may be a quarter of a cell off; far from zero, floats are off by several.
   const auto contradicts = [&](double min, double max, std::uint32_t cells) {
     const double tolerance = 0.75 + 1e-6 * (std::abs(min) + std::abs(max)) / header.resolution;

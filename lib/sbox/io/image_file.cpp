@@ -12,6 +12,7 @@
 #include "sbox/io/path_extension.h"
 #include "sbox/io/png_chunks.h"
 #include "sbox/io/pnm_image.h"
+#include "sbox/io/silent_stderr.h"
 
 namespace sbox {
 namespace {
@@ -21,11 +22,13 @@ constexpr std::uint64_t max_image_bytes = 4 * max_map_cells;
 
 Image decode(const std::string& path, const Bytes& bytes) {
   cv::Mat decoded;
+  std::optional<SilentStderr> silent(std::in_place);
   try {
     decoded = cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
   } catch (const cv::Exception&) {
     decoded.release();
   }
+  silent.reset();
   if (decoded.empty()) {
     throw FileError(path, "is damaged: the image cannot be decoded");
   }
@@ -61,6 +64,9 @@ Image loadImage(const std::string& path) {
     throw FileError(path, "is not an image (PNG, PGM, BMP, JPEG or TIFF), or is damaged");
   }
   checkMapSize(path, header->width, header->height);
+  if (!header->whole) {
+    throw FileError(path, "ends too early: the image is truncated");
+  }
   switch (header->kind) {
     case ImageKind::Pnm:
       return decodePnm(path, bytes);
@@ -68,9 +74,6 @@ Image loadImage(const std::string& path) {
       return decode(path, essentialPngChunks(path, bytes));
     case ImageKind::Other:
       break;
-  }
-  if (!header->whole) {
-    throw FileError(path, "ends too early: the image is truncated");
   }
   return decode(path, bytes);
 }

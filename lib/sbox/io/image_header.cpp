@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/io/image_header.h"
 
+#include <cmath>
 #include <cstring>
 #include <string_view>
 
@@ -11,15 +12,28 @@
 namespace sbox {
 namespace {
 
+/// Deflate makes no less than one byte out of this many.
+constexpr double max_deflate_ratio = 1032;
+/// A JPEG's block of 64 pixels takes a bit at the least, so a byte holds 512; twice that, to be
+/// sure.
+constexpr std::int64_t max_jpeg_ratio = 1024;
+
 bool startsWith(const Bytes& bytes, std::string_view magic) {
   return bytes.size() >= magic.size() && std::memcmp(bytes.data(), magic.data(), magic.size()) == 0;
 }
 
 std::optional<ImageHeader> readPngHeader(const Bytes& bytes) {
-  if (bytes.size() < 24) {
+  if (bytes.size() < 29) {
     return std::nullopt;
   }
-  return ImageHeader{ImageKind::Png, bigEndian32(bytes, 16), bigEndian32(bytes, 20)};
+  ImageHeader header{ImageKind::Png, bigEndian32(bytes, 16), bigEndian32(bytes, 20)};
+  const int bit_depth = bytes[24], colour_type = bytes[25];
+  const int channels = colour_type == 2 ? 3 : colour_type == 4 ? 2 : colour_type == 6 ? 4 : 1;
+  // Each row begins with the number of its filter.
+  const double row_size = 1 + std::ceil(1.0 * bit_depth * channels * bigEndian32(bytes, 16) / 8);
+  header.whole = row_size * static_cast<double>(header.height) <=
+                 max_deflate_ratio * static_cast<double>(bytes.size());
+  return header;
 }
 
 std::optional<ImageHeader> readBmpHeader(const Bytes& bytes) {
@@ -30,11 +44,12 @@ std::optional<ImageHeader> readBmpHeader(const Bytes& bytes) {
   // Negative where the top row comes first.
   const std::int64_t height = static_cast<std::int32_t>(littleEndian32(bytes, 22));
   ImageHeader header{ImageKind::Other, width, height < 0 ? -height : height};
-  const std::int64_t pixels_start = littleEndian32(bytes, 10);
-  const std::int64_t row_size = (header.width * littleEndian16(bytes, 28) + 31) / 32 * 4;
+  // In doubles: what the header claims may be beyond integers.
+  const double bits = littleEndian16(bytes, 28);
+  const double row_size = std::floor((static_cast<double>(width) * bits + 31) / 32) * 4;
+  const double end = littleEndian32(bytes, 10) + row_size * static_cast<double>(header.height);
   const bool compressed = littleEndian32(bytes, 30) != 0;
-  header.whole = compressed ||
-                 static_cast<std::int64_t>(bytes.size()) >= pixels_start + row_size * header.height;
+  header.whole = compressed || static_cast<double>(bytes.size()) >= end;
   return header;
 }
 
@@ -47,7 +62,9 @@ std::optional<ImageHeader> readJpegHeader(const Bytes& bytes) {
     }
     if (marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC) {
       ImageHeader header{ImageKind::Other, bigEndian16(bytes, at + 7), bigEndian16(bytes, at + 5)};
-      header.whole = bytes[bytes.size() - 2] == 0xFF && bytes[bytes.size() - 1] == 0xD9;
+      const bool ended = bytes[bytes.size() - 2] == 0xFF && bytes[bytes.size() - 1] == 0xD9;
+      header.whole = ended && header.width * header.height <=
+                                  max_jpeg_ratio * static_cast<std::int64_t>(bytes.size());
       return header;
     }
     at += 2U + bigEndian16(bytes, at + 2);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/io/map_limits.h"
 
+#include <cmath>
+
 #include "sbox/io/file_error.h"
 #include "sbox/io/number_text.h"
 
@@ -23,6 +25,16 @@ void checkResolution(const std::string& path, double resolution) {
     throw FileError(path, "resolution " + numberText(resolution) + " m is not between " +
                               numberText(min_resolution) + " and " + numberText(max_resolution) +
                               " m");
+  }
+}
+
+void checkCorner(const std::string& path, const Pose2D& corner_in_map) {
+  constexpr double max_angle = 1000 * 2 * M_PI;
+  if (!(std::abs(corner_in_map.x) <= max_position && std::abs(corner_in_map.y) <= max_position &&
+        std::abs(corner_in_map.phi) <= max_angle)) {
+    throw FileError(path, "lies too far from the zero of its frame: x " +
+                              numberText(corner_in_map.x) + " m, y " + numberText(corner_in_map.y) +
+                              " m, yaw " + numberText(corner_in_map.phi) + " rad");
   }
 }
 

@@ -136,6 +136,7 @@ RosYaml loadRosYaml(const std::string& path) {
   yaml.resolution = values.number("resolution", values.requiredText("resolution"));
   checkResolution(path, yaml.resolution);
   yaml.origin = values.pose("origin");
+  checkCorner(path, yaml.origin);
   yaml.shading = readShading(values);
   return yaml;
 }
