@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox-merge/run.h"
 
-#include <algorithm>
 #include <iostream>
 
 #include "sbox-merge/interrupt.h"
@@ -25,9 +24,7 @@ void checkUsable(const Map& map) {
     throw FileError(map.name, "is too small to match: it has " + std::to_string(map.width()) +
                                   " x " + std::to_string(map.height()) + " cells");
   }
-  const StateGrid states = classifyCells(map);
-  if (std::find(states.cells.begin(), states.cells.end(), CellState::Occupied) ==
-      states.cells.end()) {
+  if (!hasOccupiedCell(map)) {
     throw FileError(map.name, "has no occupied cell, so there are no walls to match");
   }
 }

@@ -6,6 +6,7 @@
 
 #include "sbox-merge/interrupt.h"
 #include "sbox-merge/output_names.h"
+#include "sbox/core/parallel.h"
 #include "sbox/io/file_bytes.h"
 #include "sbox/io/file_error.h"
 #include "sbox/io/output_files.h"
@@ -98,11 +99,16 @@ std::vector<std::string> writeOutputs(const std::vector<Map>& maps, const Argume
     folder.emplace(arguments.pictures);
   }
   OutputFiles files;
-  for (size_t i = 0; i < map_files.size(); ++i) {
-    saveMap(result.merged[i].map, map_files[i], files);
-    saveMap(result.merged[i].map, pictureBeside(map_files[i]), files);
-    checkInterrupt();
-  }
+  // Each merged map and the picture beside it.
+  const int written = 2 * static_cast<int>(map_files.size());
+  StageProgress maps_progress(tell, "maps written", written);
+  parallelFor(written, arguments.merge.threads, [&](int i) {
+    maps_progress.partBegins();
+    const auto group = static_cast<size_t>(i / 2);
+    const std::string& file = map_files[group];
+    saveMap(result.merged[group].map, i % 2 == 0 ? file : pictureBeside(file), files);
+    maps_progress.partDone();
+  });
   if (folder) {
     for (const Picture& picture : drawPictures(maps, result, arguments.merge.threads, tell)) {
       stageBytes(files, pictureInFolder(arguments.pictures, picture.file_name, map_files),

@@ -56,6 +56,14 @@ TEST_CASE("a map without a known cell has no states") {
   CHECK(classifyCells(makeMap("blank", 7, 5, 0.1)).empty());
 }
 
+TEST_CASE("one occupied cell anywhere is found") {
+  Map map = drawn({"...", ". .", "..."}, 0.1, {});
+  CHECK_FALSE(hasOccupiedCell(map));
+  map.grid.setCell(2, 2, 0.05F);
+  CHECK(hasOccupiedCell(map));
+  CHECK_FALSE(hasOccupiedCell(map, {0.6, 0.01}));
+}
+
 TEST_CASE("classifying agrees with each cell looked up alone") {
   std::mt19937 random(3);
   const StateOptions options{0.7, 0.2};

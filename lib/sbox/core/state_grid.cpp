@@ -63,14 +63,27 @@ StateGrid classifyCells(const Map& map, const StateOptions& options) {
       map.corner_in_map.composePoint({x_first * grid.resolution, y_first * grid.resolution});
   grid.corner_in_map.x = corner.x;
   grid.corner_in_map.y = corner.y;
-  grid.cells.reserve(static_cast<size_t>(grid.width) * static_cast<size_t>(grid.height));
-  for (int y = y_first; y <= y_last; ++y) {
-    const Cell* row = map.grid.getRow(y);
-    for (int x = x_first; x <= x_last; ++x) {
-      grid.cells.push_back(states[static_cast<std::uint8_t>(row[x])]);
-    }
+  grid.cells.resize(static_cast<size_t>(grid.width) * static_cast<size_t>(grid.height));
+  CellState* state = grid.cells.data();
+  for (int y = y_first; y <= y_last; ++y, state += grid.width) {
+    const Cell* row = map.grid.getRow(y) + x_first;
+    std::transform(row, row + grid.width, state,
+                   [&](Cell cell) { return states[static_cast<std::uint8_t>(cell)]; });
   }
   return grid;
+}
+
+bool hasOccupiedCell(const Map& map, const StateOptions& options) {
+  const std::array<CellState, 256> states = stateTable(options);
+  for (int y = 0; y < map.height(); ++y) {
+    const Cell* row = map.grid.getRow(y);
+    if (std::any_of(row, row + map.width(), [&](Cell cell) {
+          return states[static_cast<std::uint8_t>(cell)] == CellState::Occupied;
+        })) {
+      return true;
+    }
+  }
+  return false;
 }
 
 StateGrid resample(const StateGrid& grid, double resolution) {

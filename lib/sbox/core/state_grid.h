@@ -42,6 +42,9 @@ struct StateOptions {
 /// none.
 [[nodiscard]] StateGrid classifyCells(const Map& map, const StateOptions& options = {});
 
+/// Whether any cell of the map is occupied.
+[[nodiscard]] bool hasOccupiedCell(const Map& map, const StateOptions& options = {});
+
 /// A grid is never resampled to more cells than this.
 inline constexpr double max_resampled_cells = 4e8;
 
