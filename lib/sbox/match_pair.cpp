@@ -13,6 +13,22 @@ namespace {
 
 constexpr size_t kMostAlternatives = 5;
 
+/// Covariance of the pose of the map frame of b in that of a.
+PoseCovariance frameCovariance(const MapFeatures& a, const MapFeatures& b,
+                               const RefinedPose& refined) {
+  // From the pivot to the origin of b's map frame: the heading's error moves it.
+  const Pose2D b_in_grid_b = inverse(b.grid_in_map);
+  const Eigen::Vector2d arm = Eigen::Rotation2Dd(refined.b_in_a.heading) *
+                              (Eigen::Vector2d(b_in_grid_b.x, b_in_grid_b.y) - refined.pivot_b);
+  Eigen::Matrix3d lever = Eigen::Matrix3d::Identity();
+  lever(0, 2) = -arm.y();
+  lever(1, 2) = arm.x();
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(a.grid_in_map.phi).toRotationMatrix();
+  const Eigen::Matrix3d jacobian = turn * lever;
+  return jacobian * refined.covariance * jacobian.transpose();
+}
+
 PairResult matchInOrder(const MapFeatures& a, const MapFeatures& b, const PairOptions& options) {
   PairResult result;
   if (a.empty() || b.empty()) {
@@ -30,12 +46,25 @@ PairResult matchInOrder(const MapFeatures& a, const MapFeatures& b, const PairOp
   }
   const Fit& best = fits.front();
   result.has_pose = true;
-  result.pose_b_in_a = framePose(a, b, best.b_in_a);
   result.confidence = best.probability;
   result.overlap_m2 = best.evidence.free_free;
-  for (const BoxMatch& match : matchBoxes(a, b, best.b_in_a, best.drift, options.ranking.boxes)) {
+  const std::vector<BoxMatch> boxes =
+      matchBoxes(a, b, best.b_in_a, best.drift, options.ranking.boxes);
+  for (const BoxMatch& match : boxes) {
     result.matched_boxes.emplace_back(match.a, match.b);
   }
+  // Section 3.3: refinement.
+  const Stopwatch stopwatch;
+  const RefinedPose refined = refinePose(a, b, best.b_in_a, best.drift, boxes, options.refine);
+  result.pose_b_in_a = framePose(a, b, refined.b_in_a);
+  result.covariance = frameCovariance(a, b, refined);
+  if (refined.kalman) {
+    result.kalman = framePose(a, b, *refined.kalman);
+  }
+  if (refined.ceres) {
+    result.ceres = framePose(a, b, *refined.ceres);
+  }
+  result.seconds.refinement = stopwatch.seconds();
   for (size_t i = 1; i < fits.size() && i <= kMostAlternatives; ++i) {
     result.alternatives.push_back({framePose(a, b, fits[i].b_in_a), fits[i].probability});
   }

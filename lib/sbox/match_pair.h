@@ -9,6 +9,7 @@
 #include "sbox/matching/correlation_search.h"
 #include "sbox/matching/feature_votes.h"
 #include "sbox/matching/matched_boxes.h"
+#include "sbox/refinement/refine_pose.h"
 #include "sbox/verification/rank_hypotheses.h"
 #include "sbox/verification/verdict.h"
 #include "sbox/verification/verdict_model.h"
@@ -23,6 +24,7 @@ struct PairOptions {
   double sure = 0.995;  ///< Probability from which the search ends with what the features proposed.
   RankingOptions ranking;  ///< Which transforms fit the cells.
   VerdictOptions verdict;  ///< When to accept.
+  RefineOptions refine;    ///< Kalman, Ceres and the pose that is reported.
 };
 
 /// All fits of two maps that were worth judging, the most probable first: those of the hypotheses

@@ -17,60 +17,75 @@ struct Normals {
   /// `point` should move to the line through `target` with this normal; `arm` is its place about
   /// the pivot.
   void add(const Eigen::Vector2d& offset, const Eigen::Vector2d& normal, const Eigen::Vector2d& arm,
-           double squared_kernel) {
+           double squared_kernel, double length) {
     const double residual = normal.dot(offset);
     const double scale = squared_kernel / (squared_kernel + offset.squaredNorm());
     const Eigen::Vector3d jacobian(normal.x(), normal.y(),
                                    normal.y() * arm.x() - normal.x() * arm.y());
-    const double weight = scale * scale;
+    const double weight = length * scale * scale;
     matrix += weight * jacobian * jacobian.transpose();
     vector += weight * residual * jacobian;
   }
 };
 
+/// Length of wall that each of the first `count` points stands for, metres.
+double lengthOfPoint(const MapFeatures& map, size_t count) {
+  return map.point_spacing * static_cast<double>(map.wall_points.size()) /
+         static_cast<double>(std::max<size_t>(count, 1));
+}
+
+/// The walls of each map against those of the other; each wall counts half from either side.
+Normals gatherNormals(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
+                      const Eigen::Vector2d& pivot, const AlignmentOptions& options) {
+  const double squared_kernel = options.kernel * options.kernel;
+  const PointMover to_a(b_in_a), to_b(b_in_a.inverse());
+  const ByteAngle byte_turn = toByteAngle(b_in_a.heading);
+  Normals normals;
+  const size_t count_b = std::min(options.most_points, b.wall_points.size());
+  const double length_b = lengthOfPoint(b, count_b) / 2;
+  for (size_t i = 0; i < count_b; ++i) {
+    const Eigen::Vector2d p = to_a(b.wall_points[i].position);
+    const std::ptrdiff_t cell = a.fields.cellAt(p.x(), p.y());
+    if (cell < 0) {
+      continue;
+    }
+    const int sector = sectorOf(static_cast<ByteAngle>(b.wall_directions[i] + byte_turn));
+    const std::int32_t nearest = a.fields.nearest[static_cast<size_t>(cell * kSectors + sector)];
+    if (nearest >= 0) {
+      const WallPoint& target = a.wall_points[static_cast<size_t>(nearest)];
+      normals.add(target.position - p, target.normal, p - pivot, squared_kernel, length_b);
+    }
+  }
+  const size_t count_a = std::min(options.most_points, a.wall_points.size());
+  const double length_a = lengthOfPoint(a, count_a) / 2;
+  for (size_t i = 0; i < count_a; ++i) {
+    const Eigen::Vector2d in_b = to_b(a.wall_points[i].position);
+    const std::ptrdiff_t cell = b.fields.cellAt(in_b.x(), in_b.y());
+    if (cell < 0) {
+      continue;
+    }
+    const int sector = sectorOf(static_cast<ByteAngle>(a.wall_directions[i] - byte_turn));
+    const std::int32_t nearest = b.fields.nearest[static_cast<size_t>(cell * kSectors + sector)];
+    if (nearest >= 0) {
+      // The wall of b is what moves.
+      const WallPoint& source = b.wall_points[static_cast<size_t>(nearest)];
+      const Eigen::Vector2d moved = to_a(source.position);
+      normals.add(a.wall_points[i].position - moved, to_a.turn(source.normal), moved - pivot,
+                  squared_kernel, length_a);
+    }
+  }
+  return normals;
+}
+
 }  // namespace
 
 RigidTransform alignWalls(const MapFeatures& a, const MapFeatures& b, const RigidTransform& start,
                           const AlignmentOptions& options) {
-  const double squared_kernel = options.kernel * options.kernel;
   RigidTransform b_in_a = start;
   const Eigen::Vector2d centre_b(b.width / 2, b.height / 2);
   for (int iteration = 0; iteration < options.iterations; ++iteration) {
-    const PointMover to_a(b_in_a), to_b(b_in_a.inverse());
-    const Eigen::Vector2d pivot = to_a(centre_b);
-    const ByteAngle byte_turn = toByteAngle(b_in_a.heading);
-    Normals normals;
-    const size_t count_b = std::min(options.most_points, b.wall_points.size());
-    for (size_t i = 0; i < count_b; ++i) {
-      const Eigen::Vector2d p = to_a(b.wall_points[i].position);
-      const std::ptrdiff_t cell = a.fields.cellAt(p.x(), p.y());
-      if (cell < 0) {
-        continue;
-      }
-      const int sector = sectorOf(static_cast<ByteAngle>(b.wall_directions[i] + byte_turn));
-      const std::int32_t nearest = a.fields.nearest[static_cast<size_t>(cell * kSectors + sector)];
-      if (nearest >= 0) {
-        const WallPoint& target = a.wall_points[static_cast<size_t>(nearest)];
-        normals.add(target.position - p, target.normal, p - pivot, squared_kernel);
-      }
-    }
-    const size_t count_a = std::min(options.most_points, a.wall_points.size());
-    for (size_t i = 0; i < count_a; ++i) {
-      const Eigen::Vector2d in_b = to_b(a.wall_points[i].position);
-      const std::ptrdiff_t cell = b.fields.cellAt(in_b.x(), in_b.y());
-      if (cell < 0) {
-        continue;
-      }
-      const int sector = sectorOf(static_cast<ByteAngle>(a.wall_directions[i] - byte_turn));
-      const std::int32_t nearest = b.fields.nearest[static_cast<size_t>(cell * kSectors + sector)];
-      if (nearest >= 0) {
-        // The wall of b is what moves.
-        const WallPoint& source = b.wall_points[static_cast<size_t>(nearest)];
-        const Eigen::Vector2d moved = to_a(source.position);
-        normals.add(a.wall_points[i].position - moved, to_a.turn(source.normal), moved - pivot,
-                    squared_kernel);
-      }
-    }
+    const Eigen::Vector2d pivot = b_in_a * centre_b;
+    Normals normals = gatherNormals(a, b, b_in_a, pivot, options);
     // A hand's breadth of damping keeps what nothing fixes where it was.
     normals.matrix.diagonal() += Eigen::Vector3d(1e-3, 1e-3, 1e-2);
     const Eigen::Vector3d step = normals.matrix.ldlt().solve(normals.vector);
@@ -81,6 +96,12 @@ RigidTransform alignWalls(const MapFeatures& a, const MapFeatures& b, const Rigi
     }
   }
   return b_in_a;
+}
+
+Eigen::Matrix3d wallInformation(const MapFeatures& a, const MapFeatures& b,
+                                const RigidTransform& b_in_a, const AlignmentOptions& options) {
+  const Eigen::Vector2d centre_b(b.width / 2, b.height / 2);
+  return gatherNormals(a, b, b_in_a, b_in_a * centre_b, options).matrix;
 }
 
 }  // namespace sbox

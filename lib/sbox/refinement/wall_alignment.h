@@ -22,4 +22,10 @@ struct AlignmentOptions {
                                         const RigidTransform& start,
                                         const AlignmentOptions& options = {});
 
+/// How firmly the walls fix the transform: sum of J^T J over a metre of agreeing wall each, J being
+/// the derivative of a wall's offset by (x, y, heading) of the middle of map b in map a.
+[[nodiscard]] Eigen::Matrix3d wallInformation(const MapFeatures& a, const MapFeatures& b,
+                                              const RigidTransform& b_in_a,
+                                              const AlignmentOptions& options = {});
+
 }  // namespace sbox

@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox/refinement/ceres_polish.h"
+
+#include <ceres/autodiff_cost_function.h>
+#include <ceres/loss_function.h>
+#include <ceres/problem.h>
+#include <ceres/solver.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+namespace sbox {
+namespace {
+
+/// Turns `arm` by the heading in `pose` = (x, y, heading).
+template <typename T>
+Eigen::Matrix<T, 2, 1> turned(const T* pose, const Eigen::Vector2d& arm) {
+  using std::cos;
+  using std::sin;
+  const T c = cos(pose[2]), s = sin(pose[2]);
+  return {c * arm.x() - s * arm.y(), s * arm.x() + c * arm.y()};
+}
+
+/// Where a point that lies at `arm` from the pivot comes to in map a.
+template <typename T>
+Eigen::Matrix<T, 2, 1> placed(const T* pose, const Eigen::Vector2d& arm) {
+  return turned(pose, arm) + Eigen::Matrix<T, 2, 1>(pose[0], pose[1]);
+}
+
+struct CornerCost {
+  Eigen::Vector2d arm, in_a;
+  Eigen::Matrix2d weight;  ///< Square root of the relative information.
+
+  template <typename T>
+  bool operator()(const T* pose, T* residuals) const {
+    Eigen::Map<Eigen::Matrix<T, 2, 1>> offset(residuals);
+    offset = weight.cast<T>() * (placed(pose, arm) - in_a.cast<T>());
+    return true;
+  }
+};
+
+struct WallCost {
+  Eigen::Vector2d arm, on_line, normal;
+
+  template <typename T>
+  bool operator()(const T* pose, T* residual) const {
+    residual[0] = normal.cast<T>().dot(placed(pose, arm) - on_line.cast<T>());
+    return true;
+  }
+};
+
+struct LineCost {
+  Eigen::Vector2d arm, normal, point;
+
+  template <typename T>
+  bool operator()(const T* pose, T* residual) const {
+    residual[0] = turned(pose, normal).dot(placed(pose, arm) - point.cast<T>());
+    return true;
+  }
+};
+
+/// Geman and McClure's loss: r^2 for small residuals, never more than scale^2.
+class GemanMcClure final : public ceres::LossFunction {
+ public:
+  explicit GemanMcClure(double scale) : squared_scale_(scale * scale) {}
+  void Evaluate(double squared, double out[3]) const override {
+    const double share = squared_scale_ / (squared_scale_ + squared);
+    out[0] = squared * share;
+    out[1] = share * share;
+    out[2] = -2 * share * share * share / squared_scale_;
+  }
+
+ private:
+  double squared_scale_;
+};
+
+/// One round: its residuals, and the pose in Ceres's hands.
+class Round {
+ public:
+  Round(const RigidTransform& b_in_a, const Eigen::Vector2d& pivot_b, double scale)
+      : pivot_b_(pivot_b), kernel_(scale), problem_(ownKernel()) {
+    const Eigen::Vector2d place = b_in_a * pivot_b;
+    pose_ = {place.x(), place.y(), b_in_a.heading};
+  }
+
+  /// Pairs the walls of both maps under `b_in_a`; returns how many pairs there are.
+  size_t addWalls(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
+                  double reach, size_t most_points) {
+    const RigidTransform a_in_b = b_in_a.inverse();
+    const ByteAngle byte_turn = toByteAngle(b_in_a.heading);
+    const auto near = [&](const MapFeatures& map, const Eigen::Vector2d& p,
+                          ByteAngle direction) -> const WallPoint* {
+      const std::ptrdiff_t cell = map.fields.cellAt(p.x(), p.y());
+      if (cell < 0) {
+        return nullptr;
+      }
+      const std::int32_t nearest =
+          map.fields.nearest[static_cast<size_t>(cell * kSectors + sectorOf(direction))];
+      if (nearest < 0) {
+        return nullptr;
+      }
+      const WallPoint& point = map.wall_points[static_cast<size_t>(nearest)];
+      return (point.position - p).norm() <= reach ? &point : nullptr;
+    };
+    size_t pairs = 0;
+    for (size_t i = 0; i < std::min(most_points, b.wall_points.size()); ++i) {
+      const WallPoint& point = b.wall_points[i];
+      const auto direction = static_cast<ByteAngle>(b.wall_directions[i] + byte_turn);
+      if (const WallPoint* line = near(a, b_in_a * point.position, direction)) {
+        add(createWallCost(point, *line, pivot_b_), &kernel_);
+        ++pairs;
+      }
+    }
+    for (size_t i = 0; i < std::min(most_points, a.wall_points.size()); ++i) {
+      const WallPoint& point = a.wall_points[i];
+      const auto direction = static_cast<ByteAngle>(a.wall_directions[i] - byte_turn);
+      if (const WallPoint* line = near(b, a_in_b * point.position, direction)) {
+        add(createLineCost(*line, point, pivot_b_), &kernel_);
+        ++pairs;
+      }
+    }
+    return pairs;
+  }
+
+  /// `share`: the weight of each corner over that of a pair of walls.
+  void addCorners(const std::vector<CornerPair>& corners, size_t count, double share,
+                  double corner_noise) {
+    corner_kernel_ =
+        std::make_unique<ceres::ScaledLoss>(&kernel_, share, ceres::DO_NOT_TAKE_OWNERSHIP);
+    for (size_t i = 0; i < count; ++i) {
+      // Evenly over the list, which goes from box to box.
+      const CornerPair& corner = corners[i * corners.size() / count];
+      add(createCornerCost(corner, pivot_b_, corner_noise), corner_kernel_.get());
+    }
+  }
+
+  [[nodiscard]] RigidTransform solve(int iterations) {
+    ceres::Solver::Options options;
+    options.linear_solver_type = ceres::DENSE_QR;
+    options.max_num_iterations = iterations;
+    options.num_threads = 1;
+    options.logging_type = ceres::SILENT;
+    options.function_tolerance = 1e-6;
+    ceres::Solver::Summary summary;
+    ceres::Solve(options, &problem_, &summary);
+    RigidTransform b_in_a;
+    b_in_a.heading = pose_[2];
+    b_in_a.translation =
+        Eigen::Vector2d(pose_[0], pose_[1]) - Eigen::Rotation2Dd(pose_[2]) * pivot_b_;
+    return b_in_a;
+  }
+
+ private:
+  static ceres::Problem::Options ownKernel() {
+    ceres::Problem::Options options;
+    options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
+    return options;
+  }
+  void add(ceres::CostFunction* cost, ceres::LossFunction* loss) {
+    problem_.AddResidualBlock(cost, loss, pose_.data());
+  }
+
+  Eigen::Vector2d pivot_b_;
+  std::array<double, 3> pose_{};
+  GemanMcClure kernel_;
+  std::unique_ptr<ceres::ScaledLoss> corner_kernel_;
+  ceres::Problem problem_;
+};
+
+}  // namespace
+
+ceres::CostFunction* createCornerCost(const CornerPair& corner, const Eigen::Vector2d& pivot_b,
+                                      double corner_noise) {
+  // R = L L^T, so that |L^-1 e|^2 = e^T R^-1 e.
+  const Eigen::Matrix2d root = corner.covariance.llt().matrixL();
+  const Eigen::Matrix2d weight =
+      corner_noise * root.triangularView<Eigen::Lower>().solve(Eigen::Matrix2d::Identity());
+  return new ceres::AutoDiffCostFunction<CornerCost, 2, 3>(
+      new CornerCost{corner.in_b - pivot_b, corner.in_a, weight});
+}
+
+ceres::CostFunction* createWallCost(const WallPoint& point_b, const WallPoint& line_a,
+                                    const Eigen::Vector2d& pivot_b) {
+  return new ceres::AutoDiffCostFunction<WallCost, 1, 3>(
+      new WallCost{point_b.position - pivot_b, line_a.position, line_a.normal});
+}
+
+ceres::CostFunction* createLineCost(const WallPoint& line_b, const WallPoint& point_a,
+                                    const Eigen::Vector2d& pivot_b) {
+  return new ceres::AutoDiffCostFunction<LineCost, 1, 3>(
+      new LineCost{line_b.position - pivot_b, line_b.normal, point_a.position});
+}
+
+std::optional<RigidTransform> polishByCeres(const MapFeatures& a, const MapFeatures& b,
+                                            const std::vector<CornerPair>& corners,
+                                            const RigidTransform& start,
+                                            const Eigen::Vector2d& pivot_b,
+                                            const PolishOptions& options) {
+  RigidTransform b_in_a = start;
+  for (int i = 0; i < options.rounds; ++i) {
+    const double share = options.rounds > 1 ? i / static_cast<double>(options.rounds - 1) : 1;
+    const double scale =
+        options.first_scale * std::pow(options.last_scale / options.first_scale, share);
+    Round round(b_in_a, pivot_b, scale);
+    // Beyond three scales the loss is flat; nearer than a cell of the fields nothing is told apart.
+    const double reach = 3 * scale + a.fields.resolution;
+    const size_t walls = round.addWalls(a, b, b_in_a, reach, options.most_points);
+    if (walls == 0) {
+      return std::nullopt;
+    }
+    const size_t count = std::min(options.most_corners, corners.size());
+    if (count > 0 && options.corner_weight > 0) {
+      round.addCorners(
+          corners, count,
+          options.corner_weight * static_cast<double>(walls) / static_cast<double>(count),
+          options.corner_noise);
+    }
+    b_in_a = round.solve(options.iterations);
+  }
+  return b_in_a;
+}
+
+}  // namespace sbox

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Least squares by Ceres as the cross-check of the Kalman step: the corners of all agreeing boxes
+// and the walls of both maps at once, under a robust loss whose scale shrinks from round to round.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "sbox/features/map_features.h"
+#include "sbox/matching/hypothesis.h"
+#include "sbox/refinement/corner_pairs.h"
+
+namespace ceres {
+class CostFunction;
+}
+
+namespace sbox {
+
+struct PolishOptions {
+  double first_scale = 0.6;    ///< Of the robust loss in the first round, metres; ...
+  double last_scale = 0.15;    ///< ... it shrinks to this in the last.
+  int rounds = 3;              ///< Walls are paired anew in each.
+  int iterations = 10;         ///< At most, a round.
+  size_t most_points = 400;    ///< Wall points used of each map.
+  size_t most_corners = 100;   ///< Corners used.
+  double corner_weight = 0.1;  ///< Of all corners together, as a share of all walls.
+  double corner_noise = 0.25;  ///< Standard deviation of a corner that counts fully, metres.
+};
+
+/// The transform that fits corners and walls best, from `start`; none if no wall of one map lies
+/// near one of the other. `pivot_b`: the point of map b, in its grid frame, about which the heading
+/// is taken.
+[[nodiscard]] std::optional<RigidTransform> polishByCeres(
+    const MapFeatures& a, const MapFeatures& b, const std::vector<CornerPair>& corners,
+    const RigidTransform& start, const Eigen::Vector2d& pivot_b, const PolishOptions& options = {});
+
+/// Two residuals over the parameters (x, y, heading) of the pivot in map a: the offset between the
+/// corners of a pair, metres, weighed along its axes by 1 / standard deviation relative to
+/// `corner_noise`. Goes to a ceres::Problem, which owns it.
+[[nodiscard]] ceres::CostFunction* createCornerCost(const CornerPair& corner,
+                                                    const Eigen::Vector2d& pivot_b,
+                                                    double corner_noise);
+
+/// One residual: distance of a wall point of b from the line of a wall of a, metres.
+[[nodiscard]] ceres::CostFunction* createWallCost(const WallPoint& point_b, const WallPoint& line_a,
+                                                  const Eigen::Vector2d& pivot_b);
+
+/// The other direction: distance of a wall point of a from the line of a wall of b, metres.
+[[nodiscard]] ceres::CostFunction* createLineCost(const WallPoint& line_b, const WallPoint& point_a,
+                                                  const Eigen::Vector2d& pivot_b);
+
+}  // namespace sbox

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Refinement (section 3.3): the transform that is reported, with its covariance, beside the answers
+// of the Kalman step and of Ceres.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "sbox/features/map_features.h"
+#include "sbox/matching/matched_boxes.h"
+#include "sbox/refinement/box_kalman.h"
+#include "sbox/refinement/ceres_polish.h"
+#include "sbox/refinement/drift_field.h"
+#include "sbox/refinement/wall_alignment.h"
+
+namespace sbox {
+
+struct RefineOptions {
+  /// Roughness of the drift field (metres) below which maps count as free of drift, so that a tight
+  /// kernel is right for them; in bent maps it would lock on to one part of the building.
+  double drift_free = 0.12;
+  AlignmentOptions tight = {0.3, 20, 600};
+  BoxKalmanOptions kalman;
+  PolishOptions polish;
+  double wall_noise = 0.04;        ///< Standard deviation of a wall's offset without drift, metres.
+  double correlation_length = 20;  ///< Walls this near share their drift, metres of wall.
+  double drift_share = 1.0;        ///< Of the drift field's roughness that adds to that noise ...
+  double common_drift = 1.0;       ///< ... and to the pose itself: however much wall agrees, drift
+                                   ///< that all of it shares stays.
+};
+
+struct RefinedPose {
+  RigidTransform b_in_a;
+  Eigen::Vector2d pivot_b;     ///< The middle of map b, in its grid frame, metres.
+  Eigen::Matrix3d covariance;  ///< Of (x, y, heading) of the pivot in map a; m^2, m rad, rad^2.
+  std::optional<RigidTransform> kalman;
+  std::optional<RigidTransform> ceres;
+};
+
+/// Refines the transform that verification found (kernel wide enough for drift). Reported is the
+/// alignment of the walls, by a tight kernel where the maps are free of drift.
+[[nodiscard]] RefinedPose refinePose(const MapFeatures& a, const MapFeatures& b,
+                                     const RigidTransform& found, const DriftField& drift,
+                                     const std::vector<BoxMatch>& boxes,
+                                     const RefineOptions& options = {});
+
+}  // namespace sbox
