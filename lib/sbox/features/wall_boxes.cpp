@@ -85,7 +85,11 @@ class BoxFinder {
         const double cover_lower = lower.line->cover(left, right);
         const double cover_upper = upper.line->cover(left, right);
         const double mean = (cover_lower + cover_upper + reaching[k].cover + reaching[l].cover) / 4;
-        if (std::min(cover_lower, cover_upper) >= limits_.min_cover && mean >= limits_.mean_cover) {
+        const double size = upper.line->across - lower.line->across + right - left;
+        // Lines off their axes make a box a little larger than this tells.
+        constexpr double margin = 1.5;
+        if (margin * mean * size > floor_ &&
+            std::min(cover_lower, cover_upper) >= limits_.min_cover && mean >= limits_.mean_cover) {
           addBox(lower, upper, reaching[k].side, reaching[l].side, mean);
         }
       }
@@ -108,8 +112,11 @@ class BoxFinder {
     box.facing_in = static_cast<QuarterMask>(inward(right, 0) | inward(upper, 1) | inward(left, 2) |
                                              inward(lower, 3));
     box.cover = cover;
+    if (evidence(box) <= floor_) {
+      return;
+    }
     boxes_.push_back(box);
-    if (boxes_.size() >= 4 * static_cast<size_t>(limits_.max_boxes)) {
+    if (boxes_.size() >= 8 * static_cast<size_t>(limits_.max_boxes)) {
       keepBest();
     }
   }
@@ -121,6 +128,7 @@ class BoxFinder {
         return evidence(a) > evidence(b);
       });
       boxes_.resize(static_cast<size_t>(limits_.max_boxes));
+      floor_ = evidence(boxes_.back());
     }
   }
 
@@ -128,6 +136,7 @@ class BoxFinder {
   std::vector<Side> horizontal_;
   std::vector<Side> vertical_;
   std::vector<WallBox> boxes_;
+  double floor_ = -1;  ///< Evidence of the last box that is kept once there are too many.
 };
 
 }  // namespace
