@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "catch.h"
-#include "paper/paper_drawing.h"
+#include "drawing.h"
 #include "sbox/paper/hough_lines.h"
 
 using namespace sbox;

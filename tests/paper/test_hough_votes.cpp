@@ -4,7 +4,7 @@
 #include <random>
 
 #include "catch.h"
-#include "paper/paper_drawing.h"
+#include "drawing.h"
 #include "sbox/paper/hough_votes.h"
 
 using namespace sbox;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "catch.h"
-#include "paper/paper_drawing.h"
+#include "drawing.h"
 #include "sbox/paper/outline_filter.h"
 
 using namespace sbox;

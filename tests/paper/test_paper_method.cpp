@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "catch.h"
-#include "paper/paper_drawing.h"
+#include "drawing.h"
 #include "sbox/paper/paper_method.h"
 
 using namespace sbox;

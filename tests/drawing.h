@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Small grids for the tests of the published method: drawn as text, or walls by their ends.
+// Small grids: drawn as text, walls by their ends, or floors as a robot sees them.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sbox/core/state_grid.h"
@@ -86,6 +87,83 @@ inline Map drawMap(const std::vector<Wall>& walls, const Pose2D& map_in_world, d
   for (int y = 0; y < grid.height; ++y) {
     for (int x = 0; x < grid.width; ++x) {
       map.grid.setCell(x, y, grid.at(x, y) == CellState::Occupied ? 0.0F : 1.0F);
+    }
+  }
+  return map;
+}
+
+/// Walls, and a place in each of the rooms between them.
+struct Floor {
+  std::vector<Wall> walls;
+  std::vector<Point2D> places;
+};
+
+/// The walls of the polygon with these corners.
+inline std::vector<Wall> wallsRound(const std::vector<Point2D>& corners) {
+  std::vector<Wall> walls;
+  for (size_t i = 0; i < corners.size(); ++i) {
+    walls.push_back({corners[i], corners[(i + 1) % corners.size()]});
+  }
+  return walls;
+}
+
+/// A room with one corner at the origin.
+inline Floor roomFloor(double width, double height) {
+  return {wallsRound({{0, 0}, {width, 0}, {width, height}, {0, height}}),
+          {{width / 2, height / 2}}};
+}
+
+/// officeWalls() with its eight rooms.
+inline Floor officeFloor() {
+  return {officeWalls(),
+          {{2, 2}, {7, 2}, {13, 2}, {20, 3}, {3, 11}, {10, 11}, {19, 9.5}, {19, 12.5}}};
+}
+
+/// A rectangle of the world.
+struct Window {
+  Point2D low{-1e9, -1e9};
+  Point2D high{1e9, 1e9};
+};
+
+/// A map as a robot makes it whose map frame has the pose `map_in_world`: what can be reached from
+/// the floor's places is free, walls are occupied, all else and what lies outside the window is
+/// unknown.
+inline Map exploreMap(const Floor& floor, const Pose2D& map_in_world, double resolution,
+                      const Window& window = {}) {
+  Map map = drawMap(floor.walls, map_in_world, resolution);
+  const int width = map.width(), height = map.height();
+  std::vector<char> reached(static_cast<size_t>(width) * static_cast<size_t>(height), 0);
+  std::vector<std::pair<int, int>> open;
+  for (const Point2D& place : floor.places) {
+    const Point2D p =
+        map.corner_in_map.inverseComposePoint(map_in_world.inverseComposePoint(place));
+    open.emplace_back(static_cast<int>(p.x / resolution), static_cast<int>(p.y / resolution));
+  }
+  while (!open.empty()) {
+    const auto [x, y] = open.back();
+    open.pop_back();
+    if (x < 0 || y < 0 || x >= width || y >= height || map.grid.getCell(x, y) < 0.5F) {
+      continue;
+    }
+    char& is_reached =
+        reached[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)];
+    if (is_reached == 0) {
+      is_reached = 1;
+      open.insert(open.end(), {{x + 1, y}, {x - 1, y}, {x, y + 1}, {x, y - 1}});
+    }
+  }
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const Point2D p = map_in_world.composePoint(map.cellCentre(x, y));
+      const bool is_seen =
+          p.x >= window.low.x && p.y >= window.low.y && p.x < window.high.x && p.y < window.high.y;
+      const bool is_wall = map.grid.getCell(x, y) < 0.5F;
+      const bool is_free =
+          reached[static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)] !=
+          0;
+      if (!is_seen || (!is_wall && !is_free)) {
+        map.grid.setCell(x, y, 0.5F);
+      }
     }
   }
   return map;
