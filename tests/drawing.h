@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -117,6 +118,33 @@ inline Floor roomFloor(double width, double height) {
 inline Floor officeFloor() {
   return {officeWalls(),
           {{2, 2}, {7, 2}, {13, 2}, {20, 3}, {3, 11}, {10, 11}, {19, 9.5}, {19, 12.5}}};
+}
+
+/// Rooms of all sizes along both sides of a corridor; another floor for each seed.
+inline Floor randomFloor(unsigned seed) {
+  std::mt19937 random(seed);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const double length = between(20, 30), corridor = between(4, 7), above = corridor + 2;
+  const double top = above + between(4, 7);
+  Floor floor{wallsRound({{0, 0}, {length, 0}, {length, top}, {0, top}}),
+              {{length / 2, corridor + 1}}};
+  floor.walls.push_back({{0, corridor}, {length, corridor}});
+  floor.walls.push_back({{0, above}, {length, above}});
+  for (const auto& [low, high] : {std::pair(0.0, corridor), std::pair(above, top)}) {
+    double x = 0;
+    while (x < length) {
+      double end = x + between(2.5, 6.5);
+      if (end > length - 2.5) {
+        end = length;
+      }
+      floor.walls.push_back({{end, low}, {end, high}});
+      floor.places.emplace_back((x + end) / 2, (low + high) / 2);
+      x = end;
+    }
+  }
+  return floor;
 }
 
 /// A rectangle of the world.
