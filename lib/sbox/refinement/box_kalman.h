@@ -15,6 +15,7 @@
 
 namespace sbox {
 
+/// Options of the Kalman step.
 struct BoxKalmanOptions {
   double corner_noise = 0.25;     ///< Least standard deviation of a corner, metres.
   double prediction_shift = 1.0;  ///< Standard deviation of the predicted place, metres.
@@ -23,8 +24,9 @@ struct BoxKalmanOptions {
                        ///< chi-squared with 2 degrees of freedom.
 };
 
+/// The state after all corners.
 struct BoxKalmanResult {
-  RigidTransform b_in_a;
+  RigidTransform b_in_a;  ///< Grid frame of map b in that of map a.
   /// Of (x, y, heading) about the pivot. Takes corners for independent, which drift does not let
   /// them be: too small where maps are bent; see pose_covariance.h for what to rely on.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();

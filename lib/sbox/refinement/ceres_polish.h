@@ -19,6 +19,7 @@ class CostFunction;
 
 namespace sbox {
 
+/// Options of the least squares.
 struct PolishOptions {
   double first_scale = 0.6;    ///< Of the robust loss in the first round, metres; ...
   double last_scale = 0.15;    ///< ... it shrinks to this in the last.

@@ -18,13 +18,14 @@
 
 namespace sbox {
 
+/// Options of the refinement.
 struct RefineOptions {
   /// Roughness of the drift field (metres) below which maps count as free of drift, so that a tight
   /// kernel is right for them; in bent maps it would lock on to one part of the building.
   double drift_free = 0.12;
-  AlignmentOptions tight = {0.3, 20, 600};
-  BoxKalmanOptions kalman;
-  PolishOptions polish;
+  AlignmentOptions tight = {0.3, 20, 600};  ///< Of maps without drift.
+  BoxKalmanOptions kalman;                  ///< Of the Kalman step.
+  PolishOptions polish;                     ///< Of the cross-check.
   double wall_noise = 0.04;        ///< Standard deviation of a wall's offset without drift, metres.
   double correlation_length = 20;  ///< Walls this near share their drift, metres of wall.
   double drift_share = 1.0;        ///< Of the drift field's roughness that adds to that noise ...
@@ -32,12 +33,13 @@ struct RefineOptions {
                                    ///< that all of it shares stays.
 };
 
+/// The answer of the refinement.
 struct RefinedPose {
-  RigidTransform b_in_a;
+  RigidTransform b_in_a;       ///< What is reported.
   Eigen::Vector2d pivot_b;     ///< The middle of map b, in its grid frame, metres.
   Eigen::Matrix3d covariance;  ///< Of (x, y, heading) of the pivot in map a; m^2, m rad, rad^2.
-  std::optional<RigidTransform> kalman;
-  std::optional<RigidTransform> ceres;
+  std::optional<RigidTransform> kalman;  ///< None without agreeing corners.
+  std::optional<RigidTransform> ceres;   ///< None without agreeing walls.
 };
 
 /// Refines the transform that verification found (kernel wide enough for drift). Reported is the
