@@ -10,6 +10,12 @@ configure_package_config_file(cmake/sbox-config.cmake.in sbox-config.cmake
 write_basic_package_version_file(sbox-config-version.cmake COMPATIBILITY SameMinorVersion)
 
 install(TARGETS sbox EXPORT sbox-targets COMPONENT dev)
+if(SBOX_BUILD_SLAM)
+  install(TARGETS sbox_slam EXPORT sbox-slam-targets COMPONENT dev)
+  install(EXPORT sbox-slam-targets NAMESPACE sbox:: DESTINATION "${package_dir}" COMPONENT dev)
+endif()
+install(DIRECTORY lib/sbox/slam/settings/ DESTINATION "${CMAKE_INSTALL_DATADIR}/sbox"
+        COMPONENT commands FILES_MATCHING PATTERN "*.ini")
 install(DIRECTORY lib/sbox DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT dev
         FILES_MATCHING PATTERN "*.h")
 install(EXPORT sbox-targets NAMESPACE sbox:: DESTINATION "${package_dir}" COMPONENT dev)

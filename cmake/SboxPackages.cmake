@@ -22,7 +22,7 @@ set(CPACK_COMPONENT_COMMANDS_DESCRIPTION "${about}")
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libsbox-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
-    "libceres-dev, libeigen3-dev, libmrpt-io-dev, libmrpt-maps-dev, libmrpt-obs-dev, libopencv-dev")
+    "libceres-dev, libeigen3-dev, libmrpt-io-dev, libmrpt-maps-dev, libmrpt-obs-dev, libmrpt-slam-dev, libopencv-dev")
 set(CPACK_COMPONENT_DEV_DESCRIPTION "${about}\n This package holds the library.")
 
 foreach(package sbox-merge libsbox-dev)

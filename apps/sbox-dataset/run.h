@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "sbox/core/map.h"
+#include "sbox/mapping/map_key_frames.h"
 
 namespace sbox::dataset {
 
@@ -20,11 +20,8 @@ struct RunStep {
 
 using Run = std::vector<RunStep>;
 
-struct MappingOptions {
-  double resolution = 0.05;  ///< Edge length of a cell, in metres.
-  double max_range = 15;     ///< How far a beam changes cells, in metres.
-  double certainty = 0.65;   ///< Probability that one beam says of a cell, in (0.5, 1).
-};
+/// Every scan of the run at the robot's own pose.
+[[nodiscard]] KeyFrames keyFramesOf(const Run& run);
 
 /// The grid that MRPT's log-odds mapping makes of the scans at the robot's own poses, cropped to
 /// the cells it knows.

@@ -3,10 +3,12 @@
 #include "sbox-merge/arguments.h"
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <iostream>
 #include <map>
 
 #include "sbox/config/config_file.h"
+#include "sbox/io/file_bytes.h"
 #include "sbox/io/path_extension.h"
 
 namespace sbox::app {
@@ -14,8 +16,8 @@ namespace {
 
 constexpr const char* description =
     "Joins the 2D occupancy grid maps of several robots into one.\n"
-    "Maps: .gridmap, .gridmap.gz (MRPT), .yaml (ROS, with its image), .png or .pgm with\n"
-    "--resolution.";
+    "Maps: .gridmap[.gz], .simplemap[.gz] (MRPT), .yaml (ROS, with its image), .png or .pgm\n"
+    "with --resolution. Robots' logs: .rawlog[.gz] (MRPT), mapped by SLAM first.";
 
 constexpr const char* footer =
     "Exit codes: 0 every map is part of the merged map; 1 an input or output cannot be used;\n"
@@ -28,11 +30,19 @@ struct Texts {
   std::string config;
   std::string method;
   std::string fusion;
+  std::string slam;
+  std::string slam_config;
 };
 
+constexpr std::uint64_t max_settings_size = 1 << 20;
+
 const std::map<std::string, Method> methods{{"boxes", Method::Boxes}, {"paper", Method::Paper}};
-const std::map<std::string, FusionRule> fusion_rules{{"logodds", FusionRule::LogOdds},
-                                                     {"table", FusionRule::Table}};
+/// Of cells, or nothing: of observations.
+const std::map<std::string, std::optional<FusionRule>> fusion_rules{
+    {"logodds", FusionRule::LogOdds}, {"observations", {}}, {"table", FusionRule::Table}};
+
+const std::map<std::string, SlamMethod> slam_methods{{"icp", SlamMethod::Icp},
+                                                     {"rbpf", SlamMethod::Rbpf}};
 
 /// The value that the word names, or `fallback` without a word.
 template <typename Value>
@@ -53,11 +63,16 @@ Value chosen(const std::string& option, const std::string& word,
 }
 
 void addFiles(CLI::App& app, Arguments& arguments) {
-  app.add_option("--in", arguments.inputs, "The maps to merge, two or more")->type_name("MAP");
+  app.add_option("--in", arguments.inputs, "The maps to merge, or logs to map first; two or more")
+      ->type_name("MAP");
   app.add_option("--out", arguments.output,
                  "The merged map: .gridmap, .gridmap.gz or .yaml; a .png is written beside it\n"
                  "(default " +
                      arguments.output + ")")
+      ->type_name("FILE");
+  app.add_option("--simplemap", arguments.simplemap,
+                 "Write the key frames of all merged maps, in the merged map's frame, as one\n"
+                 ".simplemap; every map must hold scans")
       ->type_name("FILE");
   app.add_option("--report", arguments.report, "Write what was found, and why, as JSON")
       ->type_name("FILE");
@@ -89,10 +104,18 @@ void addChoices(CLI::App& app, Arguments& arguments, Texts& texts) {
                  "How pairs are matched: corners and boxes propose and the cells decide, or the\n"
                  "published method as it is printed (default boxes)")
       ->type_name("boxes|paper");
-  app.add_option("--fusion", texts.fusion,
-                 "How cells are joined: the paper's table, or the sum of log-odds\n"
-                 "(default logodds)")
-      ->type_name("table|logodds");
+  app.add_option(
+         "--fusion", texts.fusion,
+         "How maps are joined: the paper's table, the sum of log-odds, or a new map of all\n"
+         "scans, which every map must hold (default logodds)")
+      ->type_name("table|logodds|observations");
+  app.add_option("--slam", texts.slam,
+                 "How rawlogs are mapped, by MRPT: ICP-SLAM, or particles, which take longer\n"
+                 "(default icp); maps are kept beside the output")
+      ->type_name("icp|rbpf");
+  app.add_option("--slam-config", texts.slam_config,
+                 "Settings as MRPT's icp-slam or rbpf-slam read them (default: built in)")
+      ->type_name("FILE.ini");
   app.add_option("--config", texts.config,
                  "Options of every stage, all optional; see --dump-config")
       ->type_name("FILE.ini");
@@ -122,6 +145,11 @@ void check(const Arguments& arguments) {
   if (extension != ".gridmap" && extension != ".gridmap.gz" && extension != ".yaml" &&
       extension != ".yml") {
     throw UsageError("--out must end in .gridmap, .gridmap.gz or .yaml, not " + arguments.output);
+  }
+  const std::string key_frames = pathExtension(arguments.simplemap);
+  if (!arguments.simplemap.empty() && key_frames != ".simplemap" && key_frames != ".simplemap.gz") {
+    throw UsageError("--simplemap must end in .simplemap or .simplemap.gz, not " +
+                     arguments.simplemap);
   }
   if (arguments.resolution && !(*arguments.resolution > 0 && *arguments.resolution <= 1000)) {
     throw UsageError("--resolution must be a positive number of metres");
@@ -155,8 +183,15 @@ std::optional<Arguments> parseArguments(int argc, const char* const* argv) {
     loadConfig(texts.config, arguments.merge);
   }
   arguments.merge.method = chosen("--method", texts.method, methods, arguments.merge.method);
-  arguments.merge.fusion.rule =
-      chosen("--fusion", texts.fusion, fusion_rules, arguments.merge.fusion.rule);
+  const std::optional<FusionRule> rule = chosen<std::optional<FusionRule>>(
+      "--fusion", texts.fusion, fusion_rules, arguments.merge.fusion.rule);
+  arguments.fuse_observations = !rule;
+  arguments.merge.fusion.rule = rule.value_or(arguments.merge.fusion.rule);
+  arguments.slam.method = chosen("--slam", texts.slam, slam_methods, arguments.slam.method);
+  if (!texts.slam_config.empty()) {
+    const Bytes bytes = readFile(texts.slam_config, max_settings_size);
+    arguments.slam.settings.assign(bytes.begin(), bytes.end());
+  }
   if (!arguments.dump_config) {
     check(arguments);
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sbox/merge.h"
+#include "sbox/slam/run_slam.h"
 
 namespace sbox::app {
 
@@ -15,12 +16,15 @@ namespace sbox::app {
 struct Arguments {
   std::vector<std::string> inputs;
   std::string output = "merged.gridmap";
+  std::string simplemap;             ///< Of all key frames; empty: none.
   std::string report;                ///< Empty: none.
   std::string pictures;              ///< Folder; empty: none.
   std::string html;                  ///< Empty: none.
   std::string tf;                    ///< Empty: none.
   std::optional<double> resolution;  ///< Of plain images, metres a cell.
   MergeOptions merge;                ///< With what --config and the other options say.
+  SlamOptions slam;                  ///< For rawlogs.
+  bool fuse_observations = false;    ///< Make the merged map anew of all scans.
   bool dump_config = false;
   bool verbose = false;
   bool quiet = false;

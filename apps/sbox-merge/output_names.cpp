@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "sbox-merge/load_inputs.h"
 #include "sbox/io/path_extension.h"
 
 namespace sbox::app {
@@ -35,6 +36,24 @@ std::vector<std::string> mergedFileNames(const MergeResult& result, const std::s
 }
 
 std::string pictureBeside(const std::string& map_file) { return stem(map_file) + ".png"; }
+
+std::vector<std::string> slamMapStems(const std::vector<std::string>& inputs,
+                                      const std::string& output) {
+  std::vector<std::string> stems;
+  for (const std::string& input : inputs) {
+    stems.emplace_back();
+    if (!isRawlog(input)) {
+      continue;
+    }
+    const std::string wanted = stem(output) + "_" + stem(fs::path(input).filename().string());
+    std::string free = wanted;
+    for (int number = 2; std::count(stems.begin(), stems.end(), free) > 0; ++number) {
+      free = wanted + "_" + std::to_string(number);
+    }
+    stems.back() = free;
+  }
+  return stems;
+}
 
 std::string pictureInFolder(const std::string& folder, const std::string& file_name,
                             const std::vector<std::string>& map_files) {

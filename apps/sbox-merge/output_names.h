@@ -17,6 +17,11 @@ namespace sbox::app {
 /// The picture that goes with a map: the same path, ending in .png.
 [[nodiscard]] std::string pictureBeside(const std::string& map_file);
 
+/// Where the map that SLAM makes of a log is kept beside the output, without extension: one for
+/// each input, empty for those that are no logs. Logs of one name get numbers.
+[[nodiscard]] std::vector<std::string> slamMapStems(const std::vector<std::string>& inputs,
+                                                    const std::string& output);
+
 /// Path of a picture in the folder; "_view" is added to its name where it would take the place of
 /// one of the pictures beside the maps.
 [[nodiscard]] std::string pictureInFolder(const std::string& folder, const std::string& file_name,

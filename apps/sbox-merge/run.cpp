@@ -4,44 +4,17 @@
 
 #include <iostream>
 
+#include "sbox-merge/group_key_frames.h"
 #include "sbox-merge/interrupt.h"
+#include "sbox-merge/load_inputs.h"
 #include "sbox-merge/progress_line.h"
 #include "sbox-merge/write_outputs.h"
 #include "sbox/config/config_file.h"
-#include "sbox/core/parallel.h"
-#include "sbox/core/state_grid.h"
-#include "sbox/io/file_error.h"
-#include "sbox/io/load_map.h"
 #include "sbox/merge.h"
 #include "sbox/report/summary.h"
 
 namespace sbox::app {
 namespace {
-
-/// A map that no method could ever match is an input that cannot be used.
-void checkUsable(const Map& map) {
-  if (map.width() < 2 || map.height() < 2) {
-    throw FileError(map.name, "is too small to match: it has " + std::to_string(map.width()) +
-                                  " x " + std::to_string(map.height()) + " cells");
-  }
-  if (!hasOccupiedCell(map)) {
-    throw FileError(map.name, "has no occupied cell, so there are no walls to match");
-  }
-}
-
-std::vector<Map> loadMaps(const Arguments& arguments, const ProgressFunction& tell) {
-  std::vector<Map> maps(arguments.inputs.size());
-  const auto count = static_cast<int>(maps.size());
-  StageProgress progress(tell, "maps loaded", count);
-  parallelFor(count, arguments.merge.threads, [&](int i) {
-    progress.partBegins();
-    const auto index = static_cast<size_t>(i);
-    maps[index] = loadMap(arguments.inputs[index], {arguments.resolution});
-    checkUsable(maps[index]);
-    progress.partDone();
-  });
-  return maps;
-}
 
 void tellDetails(const MergeResult& result) {
   for (const std::string& line : detailLines(result)) {
@@ -77,12 +50,17 @@ int run(const Arguments& arguments) {
     line.show(stage, done, total);
   };
   checkOutputs(arguments);
-  const std::vector<Map> maps = loadMaps(arguments, tell);
+  const Inputs inputs = loadInputs(arguments, tell);
   const double load_seconds = stopwatch.seconds();
-  MergeResult result = mergeMaps(maps, arguments.merge, tell);
+  MergeResult result = mergeMaps(inputs.maps, arguments.merge, tell);
   result.seconds.load = load_seconds;
+  if (arguments.fuse_observations) {
+    const Stopwatch remap_stopwatch;
+    remapGroups(inputs, arguments, result);
+    result.seconds.fusion += remap_stopwatch.seconds();
+  }
   const std::vector<std::string> files =
-      writeOutputs(maps, arguments, result, stopwatch.seconds(), tell);
+      writeOutputs(inputs, arguments, result, stopwatch.seconds(), tell);
   line.wipe();
   if (arguments.verbose) {
     tellDetails(result);

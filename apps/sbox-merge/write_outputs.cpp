@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "sbox-merge/group_key_frames.h"
 #include "sbox-merge/interrupt.h"
 #include "sbox-merge/output_names.h"
 #include "sbox/core/parallel.h"
@@ -12,6 +13,7 @@
 #include "sbox/io/output_files.h"
 #include "sbox/io/path_extension.h"
 #include "sbox/io/save_map.h"
+#include "sbox/io/simplemap_file.h"
 #include "sbox/report/pictures.h"
 #include "sbox/report/report_html.h"
 #include "sbox/report/report_json.h"
@@ -38,6 +40,36 @@ void stageText(OutputFiles& files, const std::string& target, const std::string&
 std::string tfText(const MergeResult& result, const std::string& file) {
   const std::string extension = pathExtension(file);
   return extension == ".yaml" || extension == ".yml" ? tfYaml(result) : tfScript(result);
+}
+
+void stageKeyFrames(OutputFiles& files, const std::string& target, const KeyFrames& key_frames) {
+  const std::string temporary = files.stage(target);
+  try {
+    saveKeyFrames(key_frames, temporary);
+  } catch (const FileError& error) {
+    throw FileError(target, error.reason());
+  }
+  checkInterrupt();
+}
+
+void stageMergedKeyFrames(OutputFiles& files, const Inputs& inputs, const MergeResult& result,
+                          const std::string& output) {
+  const std::vector<std::string> names = mergedFileNames(result, output);
+  for (size_t i = 0; i < names.size(); ++i) {
+    stageKeyFrames(files, names[i], groupKeyFrames(inputs, result, result.merged[i]));
+  }
+}
+
+/// What SLAM took long to make is kept, whether or not the maps could be merged.
+void stageSlamMaps(OutputFiles& files, const Inputs& inputs, const Arguments& arguments) {
+  const std::vector<std::string> stems = slamMapStems(arguments.inputs, arguments.output);
+  for (size_t i = 0; i < stems.size(); ++i) {
+    if (!stems[i].empty()) {
+      saveMap(inputs.maps[i], stems[i] + ".gridmap", files);
+      saveMap(inputs.maps[i], stems[i] + ".png", files);
+      stageKeyFrames(files, stems[i] + ".simplemap", inputs.key_frames[i]);
+    }
+  }
 }
 
 /// Folders that go again, if they are empty, unless keep() is called.
@@ -75,9 +107,17 @@ void checkOutputs(const Arguments& arguments) {
   OutputFiles trial;
   (void)trial.stage(arguments.output);
   (void)trial.stage(pictureBeside(arguments.output));
-  for (const std::string& file : {arguments.report, arguments.html, arguments.tf}) {
+  for (const std::string& file :
+       {arguments.report, arguments.html, arguments.tf, arguments.simplemap}) {
     if (!file.empty()) {
       (void)trial.stage(file);
+    }
+  }
+  for (const std::string& stem : slamMapStems(arguments.inputs, arguments.output)) {
+    for (const char* extension : {".gridmap", ".png", ".simplemap"}) {
+      if (!stem.empty()) {
+        (void)trial.stage(stem + extension);
+      }
     }
   }
   std::error_code ignored;
@@ -89,10 +129,11 @@ void checkOutputs(const Arguments& arguments) {
   }
 }
 
-std::vector<std::string> writeOutputs(const std::vector<Map>& maps, const Arguments& arguments,
+std::vector<std::string> writeOutputs(const Inputs& inputs, const Arguments& arguments,
                                       MergeResult& result, double seconds_before,
                                       const ProgressFunction& tell) {
   const Stopwatch stopwatch;
+  const std::vector<Map>& maps = inputs.maps;
   std::vector<std::string> map_files = mergedFileNames(result, arguments.output);
   std::optional<NewFolder> folder;
   if (!arguments.pictures.empty()) {
@@ -109,6 +150,10 @@ std::vector<std::string> writeOutputs(const std::vector<Map>& maps, const Argume
     saveMap(result.merged[group].map, i % 2 == 0 ? file : pictureBeside(file), files);
     maps_progress.partDone();
   });
+  stageSlamMaps(files, inputs, arguments);
+  if (!arguments.simplemap.empty()) {
+    stageMergedKeyFrames(files, inputs, result, arguments.simplemap);
+  }
   if (folder) {
     for (const Picture& picture : drawPictures(maps, result, arguments.merge.threads, tell)) {
       stageBytes(files, pictureInFolder(arguments.pictures, picture.file_name, map_files),

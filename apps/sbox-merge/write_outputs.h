@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sbox-merge/arguments.h"
-#include "sbox/core/map.h"
+#include "sbox-merge/load_inputs.h"
 #include "sbox/merge_result.h"
 #include "sbox/progress.h"
 
@@ -18,7 +18,7 @@ void checkOutputs(const Arguments& arguments);
 /// Writes merged maps, pictures and report, all or none. `seconds_before` went by already; they and
 /// the time taken here are added to result.seconds.
 /// Returns the names of the merged maps, in the order of result.merged. Throws FileError.
-std::vector<std::string> writeOutputs(const std::vector<Map>& maps, const Arguments& arguments,
+std::vector<std::string> writeOutputs(const Inputs& inputs, const Arguments& arguments,
                                       MergeResult& result, double seconds_before,
                                       const ProgressFunction& tell);
 

@@ -9,6 +9,7 @@
 
 #include "sbox/core/map.h"
 #include "sbox/fusion/fuse_maps.h"
+#include "sbox/mapping/map_key_frames.h"
 #include "sbox/match_pair.h"
 #include "sbox/merge_result.h"
 #include "sbox/paper/paper_method.h"
@@ -29,6 +30,7 @@ struct MergeOptions {
   PairOptions pair;               ///< For Method::Boxes.
   PaperOptions paper;             ///< For Method::Paper.
   PlacementOptions placement;     ///< From pairs to groups.
+  MappingOptions mapping;         ///< For those who make the maps of scans; see map_key_frames.h.
   FusionOptions fusion;           ///< Its `threads` is replaced by the one below.
   std::optional<int> reference;   ///< Index of the map whose frame the merged map takes, if it can.
   bool all_groups = false;        ///< Merge every group of two or more, not only the largest.

@@ -39,7 +39,7 @@ offers() {
 
 offers --fus = --fusion
 offers --in a.gridmap --pic = --pictures
-offers --fusion "" = logodds table
+offers --fusion "" = logodds observations table
 offers --fusion t = table
 offers --in "" = a.gridmap b.yaml pictures
 offers --in a.gridmap b = b.yaml

@@ -77,7 +77,8 @@ TEST_CASE("wrong usage ends in 2 and says what is wrong") {
   checkFailure(folder, with({"--reference", "x"}), 2, "--reference");
   checkFailure(folder, with({"--threads", "-1"}), 2, "--threads must be from 0 to 1024, not -1");
   checkFailure(folder, with({"--method", "guess"}), 2, "--method must be");
-  checkFailure(folder, with({"--fusion", "max"}), 2, "--fusion must be logodds or table, not max");
+  checkFailure(folder, with({"--fusion", "max"}), 2,
+               "--fusion must be logodds or observations or table, not max");
   checkFailure(folder, with({"--out", "m.jpg"}), 2, "--out must end in");
   checkFailure(folder, with({"--resolution", "0"}), 2, "--resolution must be");
   checkFailure(folder, with({"--resolution", "nan"}), 2, "--resolution must be");

@@ -20,11 +20,11 @@ TEST_CASE("a file that is no map is refused in one line that names it", "[load_m
       {"folder.yaml", "is a folder, not a file"},
       {"empty.gridmap", "is empty"},
       {"notes.txt",
-       "is no map by its name: .gridmap, .gridmap.gz, .yaml or an image (.png, .pgm, .bmp, .jpg, "
-       ".tif) can be read"},
+       "is no map by its name: .gridmap[.gz], .simplemap[.gz], .yaml or an image (.png, .pgm, "
+       ".bmp, .jpg, .tif) can be read"},
       {"archive.gz",
-       "is no map by its name: .gridmap, .gridmap.gz, .yaml or an image (.png, .pgm, .bmp, .jpg, "
-       ".tif) can be read"},
+       "is no map by its name: .gridmap[.gz], .simplemap[.gz], .yaml or an image (.png, .pgm, "
+       ".bmp, .jpg, .tif) can be read"},
   }));
   CHECK_THROWS_WITH(loadMap(folder.path(name)), folder.path(name) + ": " + reason);
 }

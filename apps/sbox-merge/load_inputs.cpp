@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox-merge/load_inputs.h"
+
+#include <iostream>
+#include <stdexcept>
+#include <utility>
+
+#include "sbox/core/parallel.h"
+#include "sbox/core/state_grid.h"
+#include "sbox/io/file_error.h"
+#include "sbox/io/load_map.h"
+#include "sbox/io/path_extension.h"
+#include "sbox/io/simplemap_file.h"
+#include "sbox/mapping/map_key_frames.h"
+#include "sbox/slam/run_slam.h"
+
+namespace sbox::app {
+namespace {
+
+/// A map that no method could ever match is an input that cannot be used.
+void checkUsable(const Map& map) {
+  if (map.width() < 2 || map.height() < 2) {
+    throw FileError(map.name, "is too small to match: it has " + std::to_string(map.width()) +
+                                  " x " + std::to_string(map.height()) + " cells");
+  }
+  if (!hasOccupiedCell(map)) {
+    throw FileError(map.name, "has no occupied cell, so there are no walls to match");
+  }
+}
+
+/// Some outputs need more than a grid.
+void checkScans(const std::string& path, const KeyFrames& key_frames, const Arguments& arguments) {
+  if (!key_frames.empty()) {
+    return;
+  }
+  const std::string advice = ": give its .simplemap or .rawlog";
+  if (arguments.fuse_observations) {
+    throw FileError(path, "holds no scans, which --fusion observations needs" + advice);
+  }
+  if (!arguments.simplemap.empty()) {
+    throw FileError(path, "holds no scans, which --simplemap needs" + advice);
+  }
+}
+
+Map mapScans(const std::string& path, const KeyFrames& key_frames, const Arguments& arguments) {
+  try {
+    return mapKeyFrames(path, key_frames, arguments.merge.mapping);
+  } catch (const std::invalid_argument& error) {
+    throw FileError(path, std::string("cannot be mapped: ") + error.what());
+  } catch (const std::length_error& error) {
+    throw FileError(path, std::string("cannot be mapped: ") + error.what());
+  }
+}
+
+void warn(const Arguments& arguments, const ScanLog& log, size_t index) {
+  if (log.cut_off && !arguments.quiet) {
+    std::cerr << "sbox-merge: warning: " << arguments.inputs[index]
+              << " is cut off or damaged: only its first " << log.steps.size()
+              << " scans are used\n";
+  }
+}
+
+/// Fills in the key frames of those inputs that are logs.
+void runSlams(const Arguments& arguments, const ProgressFunction& tell, Inputs& inputs) {
+  std::vector<std::pair<size_t, ScanLog>> logs;
+  size_t steps = 0;
+  for (size_t i = 0; i < arguments.inputs.size(); ++i) {
+    if (isRawlog(arguments.inputs[i])) {
+      logs.emplace_back(i, loadScanLog(arguments.inputs[i]));
+      steps += logs.back().second.steps.size();
+      warn(arguments, logs.back().second, i);
+    }
+  }
+  StageProgress progress(tell, "scans mapped", static_cast<int>(steps));
+  // RBPF-SLAM draws from one random generator.
+  const int threads = arguments.slam.method == SlamMethod::Rbpf ? 1 : arguments.merge.threads;
+  parallelFor(static_cast<int>(logs.size()), threads, [&](int number) {
+    auto& [index, log] = logs[static_cast<size_t>(number)];
+    try {
+      inputs.key_frames[index] =
+          runSlam(std::move(log), arguments.slam, [&] { progress.partDone(); });
+    } catch (const SlamError& error) {
+      throw FileError(arguments.inputs[index], error.what());
+    }
+  });
+}
+
+bool isSimplemap(const std::string& path) {
+  const std::string extension = pathExtension(path);
+  return extension == ".simplemap" || extension == ".simplemap.gz";
+}
+
+}  // namespace
+
+bool isRawlog(const std::string& path) {
+  const std::string extension = pathExtension(path);
+  return extension == ".rawlog" || extension == ".rawlog.gz";
+}
+
+Inputs loadInputs(const Arguments& arguments, const ProgressFunction& tell) {
+  Inputs inputs{std::vector<Map>(arguments.inputs.size()),
+                std::vector<KeyFrames>(arguments.inputs.size())};
+  runSlams(arguments, tell, inputs);
+  const auto count = static_cast<int>(arguments.inputs.size());
+  StageProgress progress(tell, "maps loaded", count);
+  parallelFor(count, arguments.merge.threads, [&](int i) {
+    progress.partBegins();
+    const auto index = static_cast<size_t>(i);
+    const std::string& path = arguments.inputs[index];
+    KeyFrames& key_frames = inputs.key_frames[index];
+    if (isSimplemap(path)) {
+      key_frames = loadKeyFrames(path);
+    }
+    inputs.maps[index] = isSimplemap(path) || isRawlog(path)
+                             ? mapScans(path, key_frames, arguments)
+                             : loadMap(path, {arguments.resolution});
+    checkUsable(inputs.maps[index]);
+    checkScans(path, key_frames, arguments);
+    progress.partDone();
+  });
+  return inputs;
+}
+
+}  // namespace sbox::app

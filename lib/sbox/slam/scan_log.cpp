@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox/slam/scan_log.h"
+
+#include <mrpt/io/CFileGZInputStream.h>
+#include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/obs/CRawlog.h>
+#include <mrpt/serialization/CArchive.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <new>
+
+#include "sbox/io/file_bytes.h"
+#include "sbox/io/file_error.h"
+#include "sbox/slam/bare_observations.h"
+#include "sbox/slam/paired_entries.h"
+
+namespace sbox {
+namespace {
+
+using mrpt::obs::CRawlog;
+using mrpt::serialization::CSerializable;
+
+struct RawEntries {
+  CRawlog log;
+  bool cut_off = false;
+};
+
+/// CRawlog's own reading prints a backtrace on damaged files and does not tell of them.
+RawEntries readRawlog(const std::string& path) {
+  checkReadable(path);
+  mrpt::io::CFileGZInputStream in;
+  if (!in.open(path)) {
+    throw FileError(path, "cannot be read");
+  }
+  RawEntries entries;
+  auto archive = mrpt::serialization::archiveFrom(in);
+  try {
+    for (;;) {
+      CSerializable::Ptr entry;
+      archive >> entry;
+      if (const auto whole = std::dynamic_pointer_cast<CRawlog>(entry)) {
+        entries.log = *whole;
+      } else if (entry) {
+        entries.log.insert(entry);
+      }
+    }
+  } catch (const mrpt::serialization::CExceptionEOF&) {
+    // The end, between two entries.
+  } catch (const std::bad_alloc&) {
+    throw FileError(path, "does not fit into memory, or is damaged");
+  } catch (const std::exception&) {
+    // MRPT's own text is many lines long, with a backtrace.
+    entries.cut_off = true;
+  }
+  if (entries.log.empty()) {
+    throw FileError(path, "cannot be read as a rawlog");
+  }
+  return entries;
+}
+
+/// "120 CObservationImage, 60 CObservationOdometry": what a log without scans holds instead.
+std::string contentsOf(const CRawlog& log) {
+  std::map<std::string, int> counts;
+  const auto count = [&](const mrpt::rtti::CObject& object) {
+    ++counts[object.GetRuntimeClass()->className];
+  };
+  for (size_t i = 0; i < log.size(); ++i) {
+    if (log.getType(i) == CRawlog::etSensoryFrame) {
+      for (const auto& observation : *log.getAsObservations(i)) {
+        count(*observation);
+      }
+    } else if (log.getType(i) == CRawlog::etObservation) {
+      count(*log.getAsObservation(i));
+    }
+  }
+  std::string text;
+  for (const auto& [name, number] : counts) {
+    text += (text.empty() ? "" : ", ") + std::to_string(number) + " " + name;
+  }
+  return text.empty() ? "no observations" : text;
+}
+
+/// ICP-SLAM keeps account of each lidar by its label, so that lidars without one would be taken
+/// for one lidar, and all but the first of a frame be left out of the map.
+void labelLidars(const ScanLog& log) {
+  using mrpt::obs::CObservation2DRangeScan;
+  for (const LogStep& step : log.steps) {
+    std::vector<mrpt::obs::CObservation::Ptr> scans;
+    std::copy_if(step.seen->begin(), step.seen->end(), std::back_inserter(scans),
+                 [](const mrpt::obs::CObservation::Ptr& observation) {
+                   return std::dynamic_pointer_cast<CObservation2DRangeScan>(observation);
+                 });
+    for (size_t i = 0; scans.size() > 1 && i < scans.size(); ++i) {
+      if (scans[i]->sensorLabel.empty()) {
+        scans[i]->sensorLabel = "lidar " + std::to_string(i + 1);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+ScanLog loadScanLog(const std::string& path) {
+  const RawEntries entries = readRawlog(path);
+  const CRawlog& raw = entries.log;
+  bool pairs = false;
+  for (size_t i = 0; i < raw.size(); ++i) {
+    pairs = pairs || raw.getType(i) == CRawlog::etSensoryFrame;
+  }
+  ScanLog log = pairs ? stepsOfPairs(raw) : stepsOfObservations(raw);
+  if (log.steps.empty()) {
+    throw FileError(path, "holds no 2D lidar scan to make a map of, but " + contentsOf(raw));
+  }
+  labelLidars(log);
+  log.cut_off = entries.cut_off;
+  return log;
+}
+
+}  // namespace sbox

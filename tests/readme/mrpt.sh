@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 the sbox-merge authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Runs the commands of README.md's section on MRPT (its "bash" blocks) in a scratch folder, from
+# rawlogs to a localised robot. Ends in 77 (skipped) where MRPT's programs or data are missing.
+#
+# usage: tests/readme/mrpt.sh SOURCE_FOLDER BUILD_FOLDER
+set -euo pipefail
+source=$1
+build=$2
+
+for program in rawlog-edit pf-localization; do
+  command -v "$program" > /dev/null || { echo "skipped: $program (mrpt-apps) is missing"; exit 77; }
+done
+[[ -d /usr/share/mrpt/datasets ]] || { echo "skipped: mrpt-common is missing"; exit 77; }
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+cd "$scratch"
+ln -s "$source/lib" lib
+
+# Without the installation of what was just found to be there.
+awk '/^```/ { inside = substr($0, 4) == "bash"; next } inside && !/^apt-get/' \
+  "$source/README.md" > commands.sh
+grep --quiet pf-localization commands.sh ||
+  { echo "README.md does not show how to go on with pf-localization" >&2; exit 1; }
+PATH=$build/apps/sbox-merge:$build/apps/sbox-align:$PATH
+bash -euo pipefail commands.sh < /dev/null > output.txt 2>&1 || { tail output.txt >&2; exit 1; }
+
+for file in merged.gridmap merged.simplemap merged_robot1.simplemap report.json; do
+  [[ -s $file ]] || { echo "the commands of README.md did not make $file" >&2; exit 1; }
+done
+# At the end the robot knows where it is: the trace of its covariance.
+tail -n 1 localisation_*/cov_est.txt | awk '{ exit !($1 < 0.5) }' ||
+  { echo "pf-localization did not find the robot" >&2; exit 1; }
