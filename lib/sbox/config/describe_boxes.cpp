@@ -20,6 +20,10 @@ void describeWalls(FeatureOptions& features, OptionTable& table) {
                "Between wall points along an outline");
   table.metres("tangent_reach", features.walls.tangent_reach, {0.05, 5},
                "Of the outline's local direction, either side of a point that is on no line");
+  table.metres("sharpen_reach", features.sharpen.reach, {0, 1},
+               "Either side of a wall, where the map's own cells are asked for its edge");
+  table.metres("sharpen_along", features.sharpen.along, {0, 5},
+               "Either side of a wall point, over which its edge is averaged");
   table.metres("free_spacing", features.free_spacing, {0.1, 5}, "Between points of free space");
   describeStates("features.cells", features.states, table);
 

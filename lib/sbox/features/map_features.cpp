@@ -103,8 +103,11 @@ MapFeatures extractFeatures(const Map& map, const FeatureOptions& options) {
   features.height = grid.height * grid.resolution;
 
   // Section 3.1.1: wall lines, from the outline of free space.
-  const Walls walls =
+  Walls walls =
       findWalls(traceFreeContours(grid, options.contours), grid.resolution, options.walls);
+  if (is_fine) {
+    sharpenWalls(cells, walls, options.sharpen);
+  }
   features.wall_points = scattered(walls.points);
   for (const WallPoint& point : features.wall_points) {
     features.wall_directions.push_back(toByteAngle(std::atan2(point.normal.y(), point.normal.x())));

@@ -12,6 +12,7 @@
 #include "sbox/core/state_grid.h"
 #include "sbox/features/axis_lines.h"
 #include "sbox/features/free_contours.h"
+#include "sbox/features/sharpen_walls.h"
 #include "sbox/features/wall_boxes.h"
 #include "sbox/features/wall_corners.h"
 #include "sbox/features/wall_fields.h"
@@ -27,6 +28,7 @@ struct FeatureOptions {
   double free_spacing = 0.4;        ///< Between the free points, metres.
   ContourOptions contours;          ///< Outlines of free space.
   WallLineOptions walls;            ///< Lines and points on them.
+  SharpenOptions sharpen;           ///< Their place in the map's own cells.
   FrameOptions frames;              ///< Directions that many walls share.
   AxisLineOptions axis_lines;       ///< Lines along those.
   CornerOptions corners;            ///< Where two of them meet.
