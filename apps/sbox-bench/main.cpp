@@ -16,6 +16,7 @@
 #include "sbox-bench/io_floor.h"
 #include "sbox-bench/method_list.h"
 #include "sbox-bench/overlay_picture.h"
+#include "sbox-bench/refinement_table.h"
 #include "sbox-bench/run_method.h"
 #include "sbox-bench/score_table.h"
 #include "sbox-bench/write_answers.h"
@@ -33,6 +34,7 @@ struct Arguments {
   bool no_seconds = false;
   bool ratios = false;
   bool fit_verdict = false;
+  bool refinement = false;
   std::string answers_file;
   std::string json_file;
   std::string wrong_folder;
@@ -65,6 +67,8 @@ void addOptions(CLI::App& app, Arguments& arguments) {
                "Also time load, save and draw alone, and print times as ratios to them");
   app.add_flag("--fit-verdict", arguments.fit_verdict,
                "Fit the weights of the default method's verdict to the pairs and cross-validate");
+  app.add_flag("--refinement", arguments.refinement,
+               "Compare the ways of refining the transform by their error over the floor");
   app.add_flag("--markdown", arguments.markdown, "Print tables as Markdown");
 }
 
@@ -131,6 +135,10 @@ void run(const Arguments& arguments) {
     printFit(folders, arguments);
     return;
   }
+  if (arguments.refinement) {
+    print(refinementTable(folders, arguments.run.threads), arguments.markdown);
+    return;
+  }
   std::vector<std::vector<FloorSeconds>> floors;
   if (arguments.ratios) {
     for (const LoadedFolder& folder : folders) {
@@ -171,8 +179,8 @@ int main(int argc, char** argv) {
   addOptions(app, arguments);
   try {
     app.parse(argc, argv);
-    if (arguments.methods.empty() && !arguments.fit_verdict) {
-      throw CLI::RequiredError("--method or --fit-verdict");
+    if (arguments.methods.empty() && !arguments.fit_verdict && !arguments.refinement) {
+      throw CLI::RequiredError("--method, --fit-verdict or --refinement");
     }
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;

@@ -155,18 +155,17 @@ void describeVerification(PairOptions& options, OptionTable& table) {
 void describeRefinement(RefineOptions& refine, OptionTable& table) {
   table.section("refinement");
   table.metres("drift_free", refine.drift_free, {0, 10},
-               "Roughness of the drift below which a tight kernel aligns the maps");
-  table.metres("tight_kernel", refine.tight.kernel, {0.01, 10}, "Scale of that kernel");
+               "Roughness of the drift below which the answer of Ceres is reported");
   table.metres("corner_noise", refine.kalman.corner_noise, {0.001, 10},
                "Least standard deviation of a corner in the Kalman step");
-  table.metres("wall_noise", refine.wall_noise, {0.001, 10},
+  table.metres("wall_noise", refine.covariance.wall_noise, {0.001, 10},
                "Standard deviation of a wall's offset without drift, for the covariance");
-  table.metres("correlation_length", refine.correlation_length, {0.01, 10000},
+  table.metres("correlation_length", refine.covariance.correlation_length, {0.01, 10000},
                "Length of wall that errs together, for the covariance");
-  table.number("drift_share", refine.drift_share, {0, 100},
-               "Of the drift's roughness that adds to the noise");
-  table.number("common_drift", refine.common_drift, {0, 100},
-               "Of the drift's roughness that adds to the pose itself");
+  table.number("drift_shift", refine.covariance.drift_shift, {0, 10000},
+               "Shift by drift, for the covariance: times squared roughness, per wall that agrees");
+  table.number("drift_turn", refine.covariance.drift_turn, {0, 10000},
+               "Turn by drift, for the covariance: times roughness^1.5, per wall that agrees");
 }
 
 }  // namespace

@@ -17,9 +17,9 @@ namespace sbox {
 
 /// Options of the Kalman step.
 struct BoxKalmanOptions {
-  double corner_noise = 0.25;     ///< Least standard deviation of a corner, metres.
-  double prediction_shift = 1.0;  ///< Standard deviation of the predicted place, metres.
-  double prediction_turn = 3.0;   ///< Standard deviation of the predicted heading, degrees.
+  double corner_noise = 1.0;      ///< Least standard deviation of a corner, metres.
+  double prediction_shift = 0.3;  ///< Standard deviation of the predicted place, metres.
+  double prediction_turn = 1.0;   ///< Standard deviation of the predicted heading, degrees.
   double gate = 9.21;  ///< Squared Mahalanobis distance beyond which a corner is left out; 99 % of
                        ///< chi-squared with 2 degrees of freedom.
 };

@@ -14,23 +14,18 @@
 #include "sbox/refinement/box_kalman.h"
 #include "sbox/refinement/ceres_polish.h"
 #include "sbox/refinement/drift_field.h"
-#include "sbox/refinement/wall_alignment.h"
+#include "sbox/refinement/pose_covariance.h"
 
 namespace sbox {
 
 /// Options of the refinement.
 struct RefineOptions {
-  /// Roughness of the drift field (metres) below which maps count as free of drift, so that a tight
-  /// kernel is right for them; in bent maps it would lock on to one part of the building.
-  double drift_free = 0.12;
-  AlignmentOptions tight = {0.3, 20, 600};  ///< Of maps without drift.
-  BoxKalmanOptions kalman;                  ///< Of the Kalman step.
-  PolishOptions polish;                     ///< Of the cross-check.
-  double wall_noise = 0.04;        ///< Standard deviation of a wall's offset without drift, metres.
-  double correlation_length = 20;  ///< Walls this near share their drift, metres of wall.
-  double drift_share = 1.0;        ///< Of the drift field's roughness that adds to that noise ...
-  double common_drift = 1.0;       ///< ... and to the pose itself: however much wall agrees, drift
-                                   ///< that all of it shares stays.
+  /// Roughness of the drift field (metres) below which maps count as free of drift, so that Ceres's
+  /// narrow kernel is right for them; in bent maps it would lock on to one part of the building.
+  double drift_free = 0.1;
+  BoxKalmanOptions kalman;       ///< Of the Kalman step.
+  PolishOptions polish;          ///< Of the cross-check.
+  CovarianceOptions covariance;  ///< Of what is reported.
 };
 
 /// The answer of the refinement.
@@ -40,10 +35,13 @@ struct RefinedPose {
   Eigen::Matrix3d covariance;  ///< Of (x, y, heading) of the pivot in map a; m^2, m rad, rad^2.
   std::optional<RigidTransform> kalman;  ///< None without agreeing corners.
   std::optional<RigidTransform> ceres;   ///< None without agreeing walls.
+
+  /// How far apart Kalman and Ceres put the pivot, metres; 0 where one gave no answer.
+  [[nodiscard]] double disagreement() const;
 };
 
-/// Refines the transform that verification found (kernel wide enough for drift). Reported is the
-/// alignment of the walls, by a tight kernel where the maps are free of drift.
+/// Refines the transform that verification found. Reported is the answer of Ceres where the maps
+/// are free of drift, else the rigid transform nearest to the bent fit.
 [[nodiscard]] RefinedPose refinePose(const MapFeatures& a, const MapFeatures& b,
                                      const RigidTransform& found, const DriftField& drift,
                                      const std::vector<BoxMatch>& boxes,
