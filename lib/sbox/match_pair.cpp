@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <string>
 #include <tuple>
 
 #include "sbox/stopwatch.h"
@@ -29,6 +31,17 @@ PoseCovariance frameCovariance(const MapFeatures& a, const MapFeatures& b,
   return jacobian * refined.covariance * jacobian.transpose();
 }
 
+/// The probability once its odds are multiplied by a factor.
+double withOdds(double probability, double factor) {
+  return factor * probability / (factor * probability + 1 - probability);
+}
+
+std::string describeDifference(double metres) {
+  char text[80];
+  std::snprintf(text, sizeof text, "; the Kalman step and Ceres differ by %.1f m", metres);
+  return text;
+}
+
 PairResult matchInOrder(const MapFeatures& a, const MapFeatures& b, const PairOptions& options) {
   PairResult result;
   if (a.empty() || b.empty()) {
@@ -37,17 +50,12 @@ PairResult matchInOrder(const MapFeatures& a, const MapFeatures& b, const PairOp
                         : "one of the maps has no wall with free space beside it";
     return result;
   }
-  const std::vector<Fit> fits = findFits(a, b, options, result.seconds);
-  const Verdicted verdicted = decide(fits, options.verdict);
-  result.verdict = verdicted.verdict;
-  result.reason = verdicted.reason;
+  std::vector<Fit> fits = findFits(a, b, options, result.seconds);
   if (fits.empty()) {
+    result.reason = decide(fits, options.verdict).reason;
     return result;
   }
-  const Fit& best = fits.front();
-  result.has_pose = true;
-  result.confidence = best.probability;
-  result.overlap_m2 = best.evidence.free_free;
+  Fit& best = fits.front();
   const std::vector<BoxMatch> boxes =
       matchBoxes(a, b, best.b_in_a, best.drift, options.ranking.boxes);
   for (const BoxMatch& match : boxes) {
@@ -56,6 +64,19 @@ PairResult matchInOrder(const MapFeatures& a, const MapFeatures& b, const PairOp
   // Section 3.3: refinement.
   const Stopwatch stopwatch;
   const RefinedPose refined = refinePose(a, b, best.b_in_a, best.drift, boxes, options.refine);
+  const bool is_doubtful = refined.disagreement() > options.refine.large_difference;
+  if (is_doubtful) {
+    best.probability = withOdds(best.probability, options.refine.difference_odds);
+  }
+  const Verdicted verdicted = decide(fits, options.verdict);
+  result.verdict = verdicted.verdict;
+  result.reason = verdicted.reason;
+  if (is_doubtful) {
+    result.reason += describeDifference(refined.disagreement());
+  }
+  result.has_pose = true;
+  result.confidence = best.probability;
+  result.overlap_m2 = best.evidence.free_free;
   result.pose_b_in_a = framePose(a, b, refined.b_in_a);
   result.covariance = frameCovariance(a, b, refined);
   if (refined.kalman) {

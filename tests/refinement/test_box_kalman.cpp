@@ -28,6 +28,14 @@ std::vector<CornerPair> cornersWithNoise(double noise) {
   return corners;
 }
 
+/// A prediction that is known no better than the guess is good.
+BoxKalmanOptions vague() {
+  BoxKalmanOptions options;
+  options.prediction_shift = 1.0;
+  options.prediction_turn = 3.0;
+  return options;
+}
+
 RigidTransform guess() {
   return {truth.heading + 0.02, truth.translation + Eigen::Vector2d(0.3, -0.2)};
 }
@@ -35,7 +43,7 @@ RigidTransform guess() {
 }  // namespace
 
 TEST_CASE("exact corners bring the state to the truth") {
-  const auto result = filterCorners(cornersWithNoise(0), guess(), pivot);
+  const auto result = filterCorners(cornersWithNoise(0), guess(), pivot, vague());
   REQUIRE(result.has_value());
   CHECK(result->used == 9);
   CHECK(result->left_out == 0);
@@ -44,7 +52,7 @@ TEST_CASE("exact corners bring the state to the truth") {
 }
 
 TEST_CASE("noisy corners do better than the guess, and the covariance is no larger than before") {
-  const auto result = filterCorners(cornersWithNoise(0.1), guess(), pivot);
+  const auto result = filterCorners(cornersWithNoise(0.1), guess(), pivot, vague());
   REQUIRE(result.has_value());
   CHECK(((result->b_in_a * pivot) - (truth * pivot)).norm() < 0.15);
   const Eigen::Vector3d values =
@@ -56,9 +64,9 @@ TEST_CASE("noisy corners do better than the guess, and the covariance is no larg
 TEST_CASE("a corner far off is left out, and none left is no answer") {
   std::vector<CornerPair> corners = cornersWithNoise(0);
   corners[4].in_a += Eigen::Vector2d(6, 6);
-  const auto result = filterCorners(corners, guess(), pivot);
+  const auto result = filterCorners(corners, guess(), pivot, vague());
   REQUIRE(result.has_value());
   CHECK(result->left_out == 1);
   CHECK(((result->b_in_a * pivot) - (truth * pivot)).norm() < 0.02);
-  CHECK_FALSE(filterCorners({}, guess(), pivot).has_value());
+  CHECK_FALSE(filterCorners({}, guess(), pivot, vague()).has_value());
 }

@@ -156,6 +156,10 @@ void describeRefinement(RefineOptions& refine, OptionTable& table) {
   table.section("refinement");
   table.metres("drift_free", refine.drift_free, {0, 10},
                "Roughness of the drift below which the answer of Ceres is reported");
+  table.metres("large_difference", refine.large_difference, {0, 1000},
+               "Distance of Kalman and Ceres that lowers the confidence");
+  table.number("difference_odds", refine.difference_odds, {0, 1},
+               "The odds of being right are then multiplied by this");
   table.metres("corner_noise", refine.kalman.corner_noise, {0.001, 10},
                "Least standard deviation of a corner in the Kalman step");
   table.metres("wall_noise", refine.covariance.wall_noise, {0.001, 10},

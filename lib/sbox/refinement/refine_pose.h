@@ -26,6 +26,10 @@ struct RefineOptions {
   BoxKalmanOptions kalman;       ///< Of the Kalman step.
   PolishOptions polish;          ///< Of the cross-check.
   CovarianceOptions covariance;  ///< Of what is reported.
+  /// Distance of Kalman and Ceres from which something is amiss, metres: of 7 such pairs with known
+  /// truth 3 were right, of the others 145 of 168 ...
+  double large_difference = 0.5;
+  double difference_odds = 0.2;  ///< ... so the odds of being right are multiplied by this.
 };
 
 /// The answer of the refinement.
