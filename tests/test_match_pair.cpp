@@ -187,6 +187,18 @@ TEST_CASE("halves of a random office are matched", "[pair]") {
   }
 }
 
+TEST_CASE("floors of one style are hardly ever taken for each other", "[pair]") {
+  // Rooms of all sizes along a corridor: by chance some are alike, so a few pairs deceive.
+  constexpr unsigned pairs = 20;
+  int accepted = 0;
+  for (unsigned seed = 1; seed <= pairs; ++seed) {
+    const PairResult result = matchPair(seen(test::randomFloor(seed), {}),
+                                        seen(test::randomFloor(seed + 1), {3, 1, 0.2 * seed}));
+    accepted += result.verdict == Verdict::Accepted ? 1 : 0;
+  }
+  CHECK(accepted <= 6);
+}
+
 TEST_CASE("maps that could slide along two walls are not matched", "[pair]") {
   const Floor corridor{{{{-50, 0}, {50, 0}}, {{-50, 2.5}, {50, 2.5}}}, {{0, 1}}};
   const PairResult result = matchPair(seen(corridor, {}, {{-12, -1}, {10, 4}}),

@@ -21,7 +21,8 @@ using Curvature = Eigen::Matrix<double, kSize, kSize>;
 /// The choices of a pair, a column each, the last "none"; terms scaled to mean 0 and variance 1.
 struct Choices {
   Eigen::Matrix<double, kSize, Eigen::Dynamic> terms;
-  Eigen::ArrayXd right;  ///< 1 for choices that are right.
+  Eigen::ArrayXd losses;  ///< Of log odds, whatever the weights.
+  Eigen::ArrayXd right;   ///< 1 for choices that are right.
   double weight = 0;
 };
 
@@ -65,6 +66,7 @@ std::vector<Choices> makeChoices(const std::vector<VerdictSample>& samples, cons
     Choices choices;
     const auto count = static_cast<Eigen::Index>(sample.terms.size());
     choices.terms.setZero(kSize, count + 1);
+    choices.losses.setZero(count + 1);
     choices.right.setZero(count + 1);
     for (Eigen::Index j = 0; j < count; ++j) {
       for (Eigen::Index k = 0; k + 1 < kSize; ++k) {
@@ -72,6 +74,7 @@ std::vector<Choices> makeChoices(const std::vector<VerdictSample>& samples, cons
             (sample.terms[static_cast<size_t>(j)][static_cast<size_t>(k)] - scale.mean(k)) /
             scale.deviation(k);
       }
+      choices.losses(j) = sample.losses[static_cast<size_t>(j)];
       choices.right(j) = sample.right[static_cast<size_t>(j)] ? 1 : 0;
     }
     choices.terms(kSize - 1, count) = 1;
@@ -93,7 +96,7 @@ double evaluate(const std::vector<Choices>& all, const Weights& weights, double 
     *curvature = Curvature((penalty.array() + 1e-9).matrix().asDiagonal());
   }
   for (const Choices& choices : all) {
-    const Eigen::ArrayXd scores = (choices.terms.transpose() * weights).array();
+    const Eigen::ArrayXd scores = (choices.terms.transpose() * weights).array() - choices.losses;
     const Eigen::ArrayXd shares = (scores - scores.maxCoeff()).exp();
     const double total = shares.sum(), right = (shares * choices.right).sum();
     loss += choices.weight * (std::log(total) - std::log(right));
@@ -131,6 +134,7 @@ std::vector<VerdictSample> collectSamples(const LoadedFolder& loaded, size_t fol
           loaded.folder.pairs[k], loaded.folder.resolution,
           cornerTransform(pose, loaded.maps[a].corner_in_map, loaded.maps[b].corner_in_map));
       samples[k].terms.push_back(verdictTerms(fit));
+      samples[k].losses.push_back(bendLoss(fit));
       samples[k].right.push_back(error && error->right);
     }
   });
@@ -170,10 +174,10 @@ VerdictModel fitModel(const std::vector<VerdictSample>& samples, double ridge) {
 std::vector<double> probabilities(const VerdictSample& sample, const VerdictModel& model) {
   std::vector<double> odds;
   double highest = model.none;
-  for (const auto& terms : sample.terms) {
-    double sum = 0;
+  for (size_t fit = 0; fit < sample.terms.size(); ++fit) {
+    double sum = -sample.losses[fit];
     for (size_t i = 0; i < kVerdictTerms; ++i) {
-      sum += model.weights[i] * terms[i];
+      sum += model.weights[i] * sample.terms[fit][i];
     }
     odds.push_back(sum);
     highest = std::max(highest, sum);

@@ -19,6 +19,7 @@ namespace sbox::bench {
 struct VerdictSample {
   size_t folder = 0;
   std::vector<std::array<double, kVerdictTerms>> terms;
+  std::vector<double> losses;  ///< Of log odds, of each fit: what is not fitted; see bendLoss().
   std::vector<bool> right;
 };
 

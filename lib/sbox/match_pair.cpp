@@ -55,6 +55,7 @@ PairResult matchInOrder(const MapFeatures& a, const MapFeatures& b, const PairOp
     result.reason = decide(fits, options.verdict).reason;
     return result;
   }
+  mergeAnswers(a, b, fits, options.same);
   Fit& best = fits.front();
   const std::vector<BoxMatch> boxes =
       matchBoxes(a, b, best.b_in_a, best.drift, options.ranking.boxes);

@@ -11,6 +11,7 @@
 #include "sbox/matching/matched_boxes.h"
 #include "sbox/refinement/refine_pose.h"
 #include "sbox/verification/rank_hypotheses.h"
+#include "sbox/verification/same_answer.h"
 #include "sbox/verification/verdict.h"
 #include "sbox/verification/verdict_model.h"
 
@@ -23,6 +24,7 @@ struct PairOptions {
   CorrelationSearchOptions correlation;  ///< The search where features propose nothing sure.
   double sure = 0.995;  ///< Probability from which the search ends with what the features proposed.
   RankingOptions ranking;  ///< Which transforms fit the cells.
+  SameAnswerOptions same;  ///< Which fits are one answer.
   VerdictOptions verdict;  ///< When to accept.
   RefineOptions refine;    ///< Kalman, Ceres and the pose that is reported.
 };

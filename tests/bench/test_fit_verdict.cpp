@@ -20,6 +20,7 @@ std::vector<VerdictSample> drawnBy(const VerdictModel& model, size_t count) {
   for (size_t i = 0; i < count; ++i) {
     samples[i].folder = i % 2;
     samples[i].terms.resize(4);
+    samples[i].losses.assign(4, 0);
     samples[i].right.assign(4, false);
     for (auto& terms : samples[i].terms) {
       for (double& term : terms) {
@@ -38,7 +39,7 @@ std::vector<VerdictSample> drawnBy(const VerdictModel& model, size_t count) {
 
 VerdictModel knownModel() {
   VerdictModel model;
-  model.weights = {2, 1, -1, -0.5, 0, 0.5, 0, 1.5};
+  model.weights = {2, 1, -1, -0.5, 0, 0.5, 0, 1.5, -0.7};
   model.none = 1;
   return model;
 }

@@ -132,6 +132,10 @@ void describeVerification(PairOptions& options, OptionTable& table) {
   table.metres("same_distance", ranking.same_distance, {0, 50}, "Nearer answers are one");
   table.metres("same_bent", ranking.same_bent, {0, 50},
                "Fits that lay the walls this near once the drift is taken out are one");
+  table.metres("same_answer", options.same.distance, {0, 50},
+               "Fits this near once the drift is taken out are one answer ...");
+  table.number("same_answer_drift", options.same.drift_share, {0, 100},
+               "... as are fits nearer than this times the drift's roughness");
   table.number("same_turn", ranking.same_turn, {0, 90}, "Nearer answers are one, degrees");
   table.metres("alignment_kernel", ranking.alignment.kernel, {0.01, 10},
                "Scale of the robust kernel of the alignment");

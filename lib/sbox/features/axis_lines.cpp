@@ -102,10 +102,27 @@ std::vector<AxisLine> joinStretches(std::vector<Stretch> stretches,
   return lines;
 }
 
+/// A steeper line is a wall at another angle, not a bent one: 10 degrees.
+constexpr double most_bent = 0.17;
+
 }  // namespace
 
 double AxisLine::cover(double from, double to) const {
   return to > from ? std::max(0.0, std::min(high, to) - std::max(low, from)) / (to - from) : 0;
+}
+
+double slopeSpread(const AxisLines& lines, double min_length) {
+  double sum = 0, weight = 0;
+  for (const std::vector<AxisLine>& side : lines) {
+    for (const AxisLine& line : side) {
+      const double length = line.high - line.low;
+      if (length >= min_length && std::abs(line.slope) < most_bent) {
+        sum += length * length * line.slope * line.slope;
+        weight += length * length;
+      }
+    }
+  }
+  return weight > 0 ? std::sqrt(sum / weight) : 0;
 }
 
 AxisLines linesOfFrame(const std::vector<WallLine>& lines, const WallFrame& frame,

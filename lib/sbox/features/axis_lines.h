@@ -45,6 +45,10 @@ struct AxisLineOptions {
 /// Lines by the side they face. Lines facing +x or -x run along y.
 using AxisLines = std::array<std::vector<AxisLine>, 4>;
 
+/// How far lines run off their axes: root mean square slope, weighed by squared length, of those at
+/// least `min_length` metres long. It tells how much a map is bent in itself. 0 without lines.
+[[nodiscard]] double slopeSpread(const AxisLines& lines, double min_length = 2.0);
+
 /// The lines of the frame, each side's in ascending order of `across`.
 [[nodiscard]] AxisLines linesOfFrame(const std::vector<WallLine>& lines, const WallFrame& frame,
                                      const AxisLineOptions& options = {});

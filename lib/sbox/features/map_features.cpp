@@ -124,6 +124,9 @@ MapFeatures extractFeatures(const Map& map, const FeatureOptions& options) {
     of_frame.boxes = findBoxes(of_frame.lines, options.boxes);
     features.frames.push_back(std::move(of_frame));
   }
+  if (!features.frames.empty()) {
+    features.slope_spread = slopeSpread(features.frames.front().lines);
+  }
   features.fields = makeFields(grid, features.wall_points, options.fields);
   features.feature_set = describe(features.frames, walls.lines, options.axis_lines.min_wall_share,
                                   features.grid_in_map);

@@ -7,6 +7,7 @@
 
 #include "sbox/core/pose.h"
 #include "sbox/verification/plausibility.h"
+#include "sbox/verification/same_answer.h"
 
 namespace sbox {
 namespace {
@@ -50,24 +51,12 @@ void keepDistinct(std::vector<Ranked>& ranked, int count, const Eigen::Vector2d&
   ranked = std::move(distinct);
 }
 
-/// Whether two fits lay the walls of map b on the same places of map a once the drift is taken out:
-/// in bent maps one answer has several good rigid transforms.
-bool isSameWhenBent(const MapFeatures& a, const MapFeatures& b, const Fit& left, const Fit& right,
-                    double distance) {
-  constexpr size_t asked = 200;
-  const PointMover by_left(left.b_in_a), by_right(right.b_in_a);
-  double sum = 0;
-  int count = 0;
-  for (size_t i = 0; i < std::min(asked, b.wall_points.size()); ++i) {
-    const Eigen::Vector2d p = by_left(b.wall_points[i].position);
-    const Eigen::Vector2d q = by_right(b.wall_points[i].position);
-    if (p.x() < 0 || p.y() < 0 || p.x() > a.width || p.y() > a.height) {
-      continue;
-    }
-    sum += (p + left.drift.at(p) - q - right.drift.at(q)).squaredNorm();
-    ++count;
-  }
-  return count > 0 && sum < count * distance * distance;
+/// Slopes that the drift gives to walls, over those that walls have within a map: what bends maps
+/// against each other bends each in itself.
+double bendRatio(const MapFeatures& a, const MapFeatures& b, const DriftField& drift) {
+  constexpr double least_slope = 0.005;  // Cells show none below.
+  const double slope = drift.roughness() / drift.spacing;
+  return slope / std::max({a.slope_spread, b.slope_spread, least_slope});
 }
 
 }  // namespace
@@ -116,11 +105,12 @@ std::vector<Fit> rankHypotheses(const MapFeatures& a, const MapFeatures& b,
     fit.bent_evidence = gatherEvidence(a, b, fit.b_in_a, fit.drift,
                                        static_cast<size_t>(options.bent_points), bent_weights);
     const bool is_known = std::any_of(fits.begin(), fits.end(), [&](const Fit& other) {
-      return isSameWhenBent(a, b, fit, other, options.same_bent);
+      return distanceWhenBent(a, b, fit, other) < options.same_bent;
     });
     if (is_known) {
       continue;
     }
+    fit.bend_ratio = bendRatio(a, b, fit.drift);
     fit.boxes = static_cast<int>(matchBoxes(a, b, fit.b_in_a, fit.drift, options.boxes).size());
     fits.push_back(std::move(fit));
   }

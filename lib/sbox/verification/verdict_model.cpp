@@ -28,19 +28,24 @@ std::array<double, kVerdictTerms> verdictTerms(const Fit& fit) {
   const Evidence& bent = fit.bent_evidence;
   return {agreeShare(bent),
           std::log(crossWall(bent) + 0.5),
-          std::sqrt(rigid.conflict),
           std::sqrt(bent.conflict),
           rigid.conflict / (bent.free_free + 10),
+          bent.conflict / (bent.free_free + 10),
           std::sqrt(bent.free_free),
           std::log(bent.free_free / (bent.free + 1) + 0.02),
-          std::log(fit.boxes + 1.0)};
+          std::log(fit.boxes + 1.0),
+          std::log(static_cast<double>(fit.drift.displacements.size()))};
+}
+
+double bendLoss(const Fit& fit, const VerdictModel& model) {
+  return model.bend_cost * std::max(0.0, fit.bend_ratio - model.most_bend);
 }
 
 void judge(std::vector<Fit>& fits, const VerdictModel& model) {
   double highest = model.none;
   for (Fit& fit : fits) {
     const std::array<double, kVerdictTerms> terms = verdictTerms(fit);
-    fit.log_odds = 0;
+    fit.log_odds = -bendLoss(fit, model);
     for (size_t i = 0; i < kVerdictTerms; ++i) {
       fit.log_odds += model.weights[i] * terms[i];
     }

@@ -14,12 +14,13 @@
 namespace sbox {
 
 /// Number of terms of the model.
-constexpr size_t kVerdictTerms = 8;
+constexpr size_t kVerdictTerms = 9;
 
 /// What the log odds of a fit are made of, in the order of VerdictModel::weights: share of the
-/// walls in common that agree; log of the agreeing wall (metres) across the others; roots of the
-/// wall in conflict (metres), rigid and bent; conflict per shared area; root and log share of the
-/// shared free area (square metres); log of the boxes that agree.
+/// walls in common that agree; log of the agreeing wall (metres) across the others; root of the
+/// wall in conflict (metres); conflict per shared area, rigid and bent; root and log share of the
+/// shared free area (square metres); log of the boxes that agree; log of the nodes of the drift
+/// field. All but the rigid conflict with the drift taken out.
 [[nodiscard]] std::array<double, kVerdictTerms> verdictTerms(const Fit& fit);
 
 /// Agreeing wall that fixes the shift in the direction that is fixed least, metres.
@@ -28,10 +29,18 @@ constexpr size_t kVerdictTerms = 8;
 /// Weights found by maximum likelihood: `sbox-bench FOLDERS --fit-verdict` prints them.
 struct VerdictModel {
   /// Of the terms, in their order.
-  std::array<double, kVerdictTerms> weights = {20.634,  0.936,  -0.2173, -0.3587,
-                                               -10.255, 0.3483, 0.7715,  0.4869};
-  double none = 13.976;  ///< Log odds of "none of the fits is right".
+  std::array<double, kVerdictTerms> weights = {14.549,  1.4191, -0.30824, -10.339, -4.5195,
+                                               0.16865, 1.0972, 0.43226,  -0.73023};
+  double none = 8.0102;  ///< Log odds of "none of the fits is right".
+  /// Log odds lost for each unit by which Fit::bend_ratio exceeds `most_bend`. Not fitted: of 240
+  /// right fits of real pairs none had more than 1.41, of wrong ones of clean maps most have
+  /// above 3.
+  double bend_cost = 4;
+  double most_bend = 2;  ///< See bend_cost.
 };
+
+/// Log odds that a fit loses, as more bent than its maps can be.
+[[nodiscard]] double bendLoss(const Fit& fit, const VerdictModel& model = {});
 
 /// Sets log_odds and probability of each fit, and sorts them, the most probable first.
 void judge(std::vector<Fit>& fits, const VerdictModel& model = {});
