@@ -26,6 +26,7 @@ double crossWall(const Evidence& evidence) {
 std::array<double, kVerdictTerms> verdictTerms(const Fit& fit) {
   const Evidence& rigid = fit.evidence;
   const Evidence& bent = fit.bent_evidence;
+  constexpr double least_drift = 0.05;  // Metres.
   return {agreeShare(bent),
           std::log(crossWall(bent) + 0.5),
           std::sqrt(bent.conflict),
@@ -34,7 +35,8 @@ std::array<double, kVerdictTerms> verdictTerms(const Fit& fit) {
           std::sqrt(bent.free_free),
           std::log(bent.free_free / (bent.free + 1) + 0.02),
           std::log(fit.boxes + 1.0),
-          std::log(static_cast<double>(fit.drift.displacements.size()))};
+          std::log(static_cast<double>(fit.drift.displacements.size())),
+          std::sqrt(rigid.conflict) / (fit.drift.roughness() + least_drift)};
 }
 
 double bendLoss(const Fit& fit, const VerdictModel& model) {

@@ -14,13 +14,14 @@
 namespace sbox {
 
 /// Number of terms of the model.
-constexpr size_t kVerdictTerms = 9;
+constexpr size_t kVerdictTerms = 10;
 
 /// What the log odds of a fit are made of, in the order of VerdictModel::weights: share of the
 /// walls in common that agree; log of the agreeing wall (metres) across the others; root of the
 /// wall in conflict (metres); conflict per shared area, rigid and bent; root and log share of the
 /// shared free area (square metres); log of the boxes that agree; log of the nodes of the drift
-/// field. All but the rigid conflict with the drift taken out.
+/// field; root of the rigid conflict over the drift's roughness, as it tells more where nothing is
+/// bent. All but the rigid conflict with the drift taken out.
 [[nodiscard]] std::array<double, kVerdictTerms> verdictTerms(const Fit& fit);
 
 /// Agreeing wall that fixes the shift in the direction that is fixed least, metres.
@@ -29,9 +30,9 @@ constexpr size_t kVerdictTerms = 9;
 /// Weights found by maximum likelihood: `sbox-bench FOLDERS --fit-verdict` prints them.
 struct VerdictModel {
   /// Of the terms, in their order.
-  std::array<double, kVerdictTerms> weights = {14.549,  1.4191, -0.30824, -10.339, -4.5195,
-                                               0.16865, 1.0972, 0.43226,  -0.73023};
-  double none = 8.0102;  ///< Log odds of "none of the fits is right".
+  std::array<double, kVerdictTerms> weights = {13.064,  1.3644, -0.23024, -7.4808,  -4.6164,
+                                               0.19126, 1.2218, 0.55859,  -0.53483, -0.064707};
+  double none = 7.1019;  ///< Log odds of "none of the fits is right".
   /// Log odds lost for each unit by which Fit::bend_ratio exceeds `most_bend`. Not fitted: of 240
   /// right fits of real pairs none had more than 1.41, of wrong ones of clean maps most have
   /// above 3.
