@@ -72,9 +72,7 @@ TEST_CASE("a long corridor of like rooms and walls at any angle are placed", "[a
   }
 }
 
-// A goal not yet reached, so hidden: run it as "[goal]". Seeds 1 and 11 are accepted one room off,
-// as the wrong place lays more wall on wall than the true one.
-TEST_CASE("a corridor that looks the same in several places is called ambiguous", "[.goal]") {
+TEST_CASE("a corridor that looks the same in several places is called ambiguous", "[accuracy]") {
   for (const std::uint32_t seed : {1U, 11U, 21U}) {
     const PairResult answer = solved(simulated("symmetric", seed));
     INFO("seed " << seed << ": " << answer.reason);

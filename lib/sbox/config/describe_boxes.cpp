@@ -141,6 +141,12 @@ void describeVerification(PairOptions& options, OptionTable& table) {
                "Scale of the robust kernel of the alignment");
   table.number("accept_from", options.verdict.accept_from, {0, 1},
                "Probability from which the best fit is accepted");
+  table.number("rival_from", options.verdict.rival_from, {0, 1},
+               "Probability from which a rival that nothing speaks against makes a pair ambiguous");
+  table.number("rival_agree", options.verdict.rival_agree, {0, 1},
+               "Share of the common walls that agree in such a rival");
+  table.number("rival_conflict", options.verdict.rival_conflict, {0, 1},
+               "Share of the common walls that may conflict in such a rival");
   table.metres("box_corner_distance", ranking.boxes.corner_distance, {0, 10},
                "Between the corners of boxes that agree");
   describeEvidence("verification.rigid", ranking.evidence, table);

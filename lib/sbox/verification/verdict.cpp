@@ -41,6 +41,16 @@ std::string whyNot(const Fit& best) {
   return "too little in common to be sure: " + found;
 }
 
+/// Whether all that the maps have in common under this fit fits, and not much less than under the
+/// best: then only the size of the overlap speaks for the best.
+bool hasNothingAgainst(const Fit& rival, const Fit& best, const VerdictOptions& options) {
+  const Evidence& evidence = rival.evidence;
+  return rival.probability >= options.rival_from &&
+         evidence.agree > options.rival_agree * evidence.known &&
+         evidence.conflict < options.rival_conflict * evidence.known &&
+         evidence.agree > 0.5 * best.evidence.agree;
+}
+
 }  // namespace
 
 Verdicted decide(const std::vector<Fit>& fits, const VerdictOptions& options) {
@@ -48,7 +58,10 @@ Verdicted decide(const std::vector<Fit>& fits, const VerdictOptions& options) {
     return {Verdict::Rejected, "no way to lay the maps over each other has walls in common"};
   }
   const Fit& best = fits.front();
-  if (best.probability >= options.accept_from) {
+  const bool is_rivalled = std::any_of(fits.begin() + 1, fits.end(), [&](const Fit& fit) {
+    return hasNothingAgainst(fit, best, options);
+  });
+  if (best.probability >= options.accept_from && !is_rivalled) {
     return {Verdict::Accepted, describeAgreement(best.bent_evidence)};
   }
   double any = 0;

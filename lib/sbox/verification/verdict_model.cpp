@@ -36,7 +36,7 @@ std::array<double, kVerdictTerms> verdictTerms(const Fit& fit) {
           std::log(bent.free_free / (bent.free + 1) + 0.02),
           std::log(fit.boxes + 1.0),
           std::log(static_cast<double>(fit.drift.displacements.size())),
-          std::sqrt(rigid.conflict) / (fit.drift.roughness() + least_drift)};
+          std::log1p(rigid.conflict / (fit.drift.roughness() + least_drift))};
 }
 
 double bendLoss(const Fit& fit, const VerdictModel& model) {

@@ -20,7 +20,7 @@ constexpr size_t kVerdictTerms = 10;
 /// walls in common that agree; log of the agreeing wall (metres) across the others; root of the
 /// wall in conflict (metres); conflict per shared area, rigid and bent; root and log share of the
 /// shared free area (square metres); log of the boxes that agree; log of the nodes of the drift
-/// field; root of the rigid conflict over the drift's roughness, as it tells more where nothing is
+/// field; log of the rigid conflict over the drift's roughness, as it tells more where nothing is
 /// bent. All but the rigid conflict with the drift taken out.
 [[nodiscard]] std::array<double, kVerdictTerms> verdictTerms(const Fit& fit);
 
@@ -30,9 +30,9 @@ constexpr size_t kVerdictTerms = 10;
 /// Weights found by maximum likelihood: `sbox-bench FOLDERS --fit-verdict` prints them.
 struct VerdictModel {
   /// Of the terms, in their order.
-  std::array<double, kVerdictTerms> weights = {13.064,  1.3644, -0.23024, -7.4808,  -4.6164,
-                                               0.19126, 1.2218, 0.55859,  -0.53483, -0.064707};
-  double none = 7.1019;  ///< Log odds of "none of the fits is right".
+  std::array<double, kVerdictTerms> weights = {12.822,  1.4928, -0.28723, -7.2996,  -4.4362,
+                                               0.21024, 1.2417, 0.48095,  -0.50149, -0.60037};
+  double none = 6.4534;  ///< Log odds of "none of the fits is right".
   /// Log odds lost for each unit by which Fit::bend_ratio exceeds `most_bend`. Not fitted: of 240
   /// right fits of real pairs none had more than 1.41, of wrong ones of clean maps most have
   /// above 3.
