@@ -19,7 +19,8 @@
 namespace sbox::bench {
 namespace {
 
-enum Way { BestBoxes, PaperKalman, LeastSquares, Kalman, Ceres, MeanDrift, Reported, kWays };
+enum Way { BestBoxes, PaperKalman, LeastSquares, Kalman, Ceres, MeanDrift, Reported };
+constexpr size_t kWays = Reported + 1;
 constexpr std::array<const char*, kWays> kNames = {"best pair of boxes",
                                                    "its Kalman step (paper)",
                                                    "least squares",
