@@ -66,6 +66,8 @@ void describeBoxesAndCorners(FeatureOptions& features, OptionTable& table) {
 
   table.section("features.fields");
   table.metres("resolution", features.fields.resolution, {0.02, 2}, "Of the likelihood fields");
+  table.number("most_cells", features.fields.most_cells, {1e4, 1e9},
+               "Larger maps have coarser likelihood fields");
   table.metres("reach", features.fields.reach, {0.1, 2.5}, "Walls further off are as good as none");
   table.number("sector_overlap", features.fields.sector_overlap, {0, 22},
                "Of neighbouring facing directions, degrees");

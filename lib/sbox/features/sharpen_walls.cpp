@@ -27,7 +27,7 @@ class EdgeFinder {
                                                 double last) {
     const Eigen::Vector2d along(normal.y(), -normal.x());
     edges_.clear();
-    for (double place = first; place <= last; place += cells_.resolution) {
+    for (double place = first; place <= last; place += 2 * cells_.resolution) {
       if (const std::optional<double> offset = edgeAt(base + place * along, normal)) {
         edges_.push_back({place, *offset});
       }

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <limits>
 
 namespace sbox {
 namespace {
@@ -28,6 +31,40 @@ std::vector<Side> sidesOf(const AxisLines& lines, Quarter first, Quarter second)
   return sides;
 }
 
+/// Sides by the bands along them: large maps have many that lie in line with a box but far off.
+class Bands {
+ public:
+  /// Sides as sidesOf() gives them; a band is two `height` high and overlaps the next by half.
+  Bands(const std::vector<Side>& sides, double height) : height_(height) {
+    for (const Side& side : sides) {
+      low_ = std::min(low_, side.line->low);
+    }
+    for (const Side& side : sides) {
+      const size_t last = indexOf(side.line->high);
+      bands_.resize(std::max(bands_.size(), last + 1));
+      for (size_t i = indexOf(side.line->low - height); i <= last; ++i) {
+        bands_[i].push_back(side);
+      }
+    }
+  }
+
+  /// All sides that touch [along, along + height], in their order.
+  [[nodiscard]] const std::vector<Side>& near(double along) const {
+    static const std::vector<Side> none;
+    const size_t i = indexOf(along);
+    return i < bands_.size() ? bands_[i] : none;
+  }
+
+ private:
+  [[nodiscard]] size_t indexOf(double along) const {
+    return static_cast<size_t>(std::max(0.0, std::floor((along - low_) / height_)));
+  }
+
+  double height_;
+  double low_ = std::numeric_limits<double>::infinity();
+  std::vector<std::vector<Side>> bands_;
+};
+
 /// A vertical side that reaches between two horizontal ones.
 struct Reaching {
   Side side;
@@ -37,10 +74,17 @@ struct Reaching {
 /// Boxes ordered by the length of their real sides; a long room's box tells more than a niche's.
 double evidence(const WallBox& box) { return box.cover * (box.size_x + box.size_y); }
 
+/// Lines up to 20 degrees off their axes make a box this much larger than their middles tell.
+constexpr double kMargin = 1.1;
+
 class BoxFinder {
  public:
-  BoxFinder(const AxisLines& lines, const BoxLimits& limits)
-      : limits_(limits), horizontal_(sidesOf(lines, 1, 3)), vertical_(sidesOf(lines, 0, 2)) {}
+  /// `floor`: evidence that boxes must exceed.
+  BoxFinder(const AxisLines& lines, const BoxLimits& limits, double floor)
+      : limits_(limits),
+        horizontal_(sidesOf(lines, 1, 3)),
+        vertical_(sidesOf(lines, 0, 2), limits.max_side),
+        floor_(floor) {}
 
   std::vector<WallBox> find() {
     for (size_t i = 0; i < horizontal_.size(); ++i) {
@@ -49,7 +93,10 @@ class BoxFinder {
         if (size > limits_.max_side) {
           break;
         }
-        if (size >= limits_.min_side) {
+        // The wider the box, the more evidence it can have.
+        const double most =
+            bound(horizontal_[i], horizontal_[j], limits_.max_side, 2) * (size + limits_.max_side);
+        if (size >= limits_.min_side && kMargin * most > floor_) {
           findBetween(horizontal_[i], horizontal_[j]);
         }
       }
@@ -59,15 +106,27 @@ class BoxFinder {
   }
 
  private:
+  /// Mean cover of a box of this width at most, if its two vertical sides have `covers` together.
+  static double bound(const Side& lower, const Side& upper, double width, double covers) {
+    const auto cover = [&](const Side& side) {
+      return std::min(1.0, (side.line->high - side.line->low) / width);
+    };
+    return (cover(lower) + cover(upper) + covers) / 4;
+  }
+
   void findBetween(const Side& lower, const Side& upper) {
     // The upper and lower side must lie over each other somewhere, give or take a box.
     const double from = std::max(lower.line->low, upper.line->low) - limits_.max_side;
     const double to = std::min(lower.line->high, upper.line->high) + limits_.max_side;
+    if (from > to) {
+      return;
+    }
     std::vector<Reaching> reaching;
-    auto side =
-        std::lower_bound(vertical_.begin(), vertical_.end(), from,
-                         [](const Side& s, double value) { return s.line->across < value; });
-    for (; side != vertical_.end() && side->line->across <= to; ++side) {
+    const std::vector<Side>& near = vertical_.near(lower.line->across);
+    auto side = std::lower_bound(near.begin(), near.end(), from, [](const Side& s, double value) {
+      return s.line->across < value;
+    });
+    for (; side != near.end() && side->line->across <= to; ++side) {
       const double cover = side->line->cover(lower.line->across, upper.line->across);
       if (cover >= limits_.min_cover) {
         reaching.push_back({*side, cover});
@@ -79,16 +138,17 @@ class BoxFinder {
         if (right - left > limits_.max_side) {
           break;
         }
-        if (right - left < limits_.min_side) {
+        const double size = upper.line->across - lower.line->across + right - left;
+        if (right - left < limits_.min_side ||
+            kMargin * bound(lower, upper, right - left, reaching[k].cover + reaching[l].cover) *
+                    size <=
+                floor_) {
           continue;
         }
         const double cover_lower = lower.line->cover(left, right);
         const double cover_upper = upper.line->cover(left, right);
         const double mean = (cover_lower + cover_upper + reaching[k].cover + reaching[l].cover) / 4;
-        const double size = upper.line->across - lower.line->across + right - left;
-        // Lines off their axes make a box a little larger than this tells.
-        constexpr double margin = 1.5;
-        if (margin * mean * size > floor_ &&
+        if (kMargin * mean * size > floor_ &&
             std::min(cover_lower, cover_upper) >= limits_.min_cover && mean >= limits_.mean_cover) {
           addBox(lower, upper, reaching[k].side, reaching[l].side, mean);
         }
@@ -134,15 +194,51 @@ class BoxFinder {
 
   BoxLimits limits_;
   std::vector<Side> horizontal_;
-  std::vector<Side> vertical_;
+  Bands vertical_;
   std::vector<WallBox> boxes_;
-  double floor_ = -1;  ///< Evidence of the last box that is kept once there are too many.
+  double floor_;  ///< Evidence of the last box that is kept once there are too many.
 };
+
+/// The `count` longest lines (more where lengths are equal), in their order; there are more.
+AxisLines longestLines(const AxisLines& lines, size_t count) {
+  const auto length = [](const AxisLine& line) { return line.high - line.low; };
+  std::vector<double> lengths;
+  for (const std::vector<AxisLine>& side : lines) {
+    for (const AxisLine& line : side) {
+      lengths.push_back(length(line));
+    }
+  }
+  const auto last = lengths.begin() + static_cast<std::ptrdiff_t>(count) - 1;
+  std::nth_element(lengths.begin(), last, lengths.end(), std::greater<>());
+  AxisLines longest;
+  for (size_t side = 0; side < lines.size(); ++side) {
+    std::copy_if(lines[side].begin(), lines[side].end(), std::back_inserter(longest[side]),
+                 [&](const AxisLine& line) { return length(line) >= *last; });
+  }
+  return longest;
+}
+
+/// Evidence that a box of the longest lines alone has at least if it is to be kept.
+double evidenceToBeat(const AxisLines& lines, const BoxLimits& limits) {
+  constexpr size_t long_lines = 800;
+  if (lines[0].size() + lines[1].size() + lines[2].size() + lines[3].size() <= 2 * long_lines) {
+    return -1;
+  }
+  const std::vector<WallBox> boxes = BoxFinder(longestLines(lines, long_lines), limits, -1).find();
+  if (boxes.empty() || static_cast<int>(boxes.size()) < limits.max_boxes) {
+    return -1;
+  }
+  double least = evidence(boxes.front());
+  for (const WallBox& box : boxes) {
+    least = std::min(least, evidence(box));
+  }
+  return std::nextafter(least, 0.0);
+}
 
 }  // namespace
 
 std::vector<WallBox> findBoxes(const AxisLines& lines, const BoxLimits& limits) {
-  return BoxFinder(lines, limits).find();
+  return BoxFinder(lines, limits, evidenceToBeat(lines, limits)).find();
 }
 
 }  // namespace sbox

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <tuple>
 
 namespace sbox {
 namespace {
@@ -52,6 +53,24 @@ void offer(const WallFields& fields, const Eigen::Vector2d& position, std::int32
   }
 }
 
+/// The points' indices, cell row by cell row: they come scattered, but neighbours one after the
+/// other find their cells in the cache.
+std::vector<size_t> rowByRow(const std::vector<WallPoint>& points, double resolution) {
+  std::vector<std::tuple<double, double, size_t>> places;
+  places.reserve(points.size());
+  for (size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector2d& p = points[i].position;
+    places.emplace_back(std::floor(p.y() / resolution), p.x(), i);
+  }
+  std::sort(places.begin(), places.end());
+  std::vector<size_t> indices;
+  indices.reserve(points.size());
+  for (const auto& place : places) {
+    indices.push_back(std::get<2>(place));
+  }
+  return indices;
+}
+
 void fillDepth(const StateGrid& grid, WallFields& fields) {
   // A rim of one cell that is not free, so that the edge of the grid counts.
   cv::Mat free(grid.height + 2, grid.width + 2, CV_8U, cv::Scalar(0));
@@ -92,10 +111,12 @@ WallFields makeFields(const StateGrid& grid, const std::vector<WallPoint>& point
   if (grid.empty()) {
     return fields;
   }
+  const double area = grid.resolution * grid.resolution * grid.width * grid.height;
+  fields.resolution = std::max(options.resolution, std::sqrt(area / options.most_cells));
   fields.origin = Eigen::Vector2d::Constant(-options.reach);
   const auto cells = [&](int size) {
     return static_cast<int>(
-        std::ceil((size * grid.resolution + 2 * options.reach) / options.resolution));
+        std::ceil((size * grid.resolution + 2 * options.reach) / fields.resolution));
   };
   fields.width = cells(grid.width);
   fields.height = cells(grid.height);
@@ -106,7 +127,7 @@ WallFields makeFields(const StateGrid& grid, const std::vector<WallPoint>& point
   fillDepth(grid, fields);
 
   std::array<std::vector<std::int32_t>, kSectors> facing;
-  for (size_t i = 0; i < points.size(); ++i) {
+  for (const size_t i : rowByRow(points, fields.resolution)) {
     for (const int sector : sectorsOf(points[i].normal, options.sector_overlap)) {
       facing[static_cast<size_t>(sector)].push_back(static_cast<std::int32_t>(i));
     }
@@ -119,7 +140,7 @@ WallFields makeFields(const StateGrid& grid, const std::vector<WallPoint>& point
     for (const std::int32_t index : facing[sector]) {
       offer(fields, points[static_cast<size_t>(index)].position, index, options.reach, field);
     }
-    const auto to_units = static_cast<float>(options.resolution / WallFields::unit);
+    const auto to_units = static_cast<float>(fields.resolution / WallFields::unit);
     for (size_t cell = 0; cell < count; ++cell) {
       if (field.index[cell] < 0) {
         continue;

@@ -17,8 +17,9 @@ namespace sbox {
 
 /// Cells and reach of the fields.
 struct FieldOptions {
-  double resolution = 0.2;     ///< Of the fields' cells, metres.
-  double reach = 2.0;          ///< Walls further off are as good as none, metres.
+  double resolution = 0.2;  ///< Of the fields' cells, metres; coarser where a map is so large ...
+  double most_cells = 2e6;  ///< ... that it would take more cells.
+  double reach = 2.0;       ///< Walls further off are as good as none, metres.
   double sector_overlap = 12;  ///< Normals this far beyond a sector still belong to it, degrees.
 };
 
