@@ -28,7 +28,8 @@ struct Canvas {
   double resolution = 0;
 };
 
-Canvas canvasFor(const MapFeatures& map, double heading, double resolution) {
+/// With a rim of `margin` cells.
+Canvas canvasFor(const MapFeatures& map, double heading, double resolution, int margin) {
   const Eigen::Rotation2Dd turn(heading);
   Eigen::Vector2d low = Eigen::Vector2d::Zero(), high = low;
   for (const Eigen::Vector2d& corner :
@@ -39,8 +40,9 @@ Canvas canvasFor(const MapFeatures& map, double heading, double resolution) {
     high = high.cwiseMax(p);
   }
   const Eigen::Vector2d cells = (high - low) / resolution;
-  return {low,
-          {static_cast<int>(std::ceil(cells.x())) + 1, static_cast<int>(std::ceil(cells.y())) + 1},
+  return {low - Eigen::Vector2d::Constant(margin * resolution),
+          {static_cast<int>(std::ceil(cells.x())) + 1 + 2 * margin,
+           static_cast<int>(std::ceil(cells.y())) + 1 + 2 * margin},
           resolution};
 }
 
@@ -149,7 +151,9 @@ std::vector<Hypothesis> searchByCorrelation(const MapFeatures& a, const MapFeatu
   const double largest = std::max({a.width, a.height, std::hypot(b.width, b.height)});
   const double resolution = std::max(options.resolution, largest / options.most_cells);
   const double blur = std::max(options.wall_blur, 0.8 * resolution);
-  const Canvas canvas_a = canvasFor(a, 0, resolution);
+  // Walls at the edge of map a speak for walls just beyond it.
+  const Canvas canvas_a =
+      canvasFor(a, 0, resolution, static_cast<int>(std::ceil(3 * blur / resolution)));
   const int side_b = static_cast<int>(std::ceil(std::hypot(b.width, b.height) / resolution)) + 2;
   const cv::Size size(cv::getOptimalDFTSize(canvas_a.size.width + side_b),
                       cv::getOptimalDFTSize(canvas_a.size.height + side_b));
@@ -163,7 +167,7 @@ std::vector<Hypothesis> searchByCorrelation(const MapFeatures& a, const MapFeatu
 
   std::vector<Hypothesis> hypotheses;
   for (const double heading : findHeadings(a, b, options.headings)) {
-    const Canvas canvas_b = canvasFor(b, heading, resolution);
+    const Canvas canvas_b = canvasFor(b, heading, resolution, 0);
     const Spectra spectra_b(draw(b, heading, canvas_b, size));
     const cv::Mat agree =
         correlate(spectra_a.facing_x, spectra_b.facing_x, spectra_a.facing_y, spectra_b.facing_y);
