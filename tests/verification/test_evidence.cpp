@@ -1,0 +1,238 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+#include <random>
+
+#include "catch.h"
+#include "drawing.h"
+#include "sbox/verification/evidence.h"
+#include "scattered_map.h"
+
+using namespace sbox;
+using Eigen::Vector2d;
+using test::ScatteredMap;
+
+namespace {
+
+/// What one map's walls and free points say, each asked by itself.
+struct Counted {
+  double known = 0, agree = 0, tight = 0, free_free = 0;
+  double least_conflict = 0, most_conflict = 0;
+  Eigen::Matrix2d facing = Eigen::Matrix2d::Zero();  ///< In the frame of the map that is asked.
+};
+
+/// The middle of the fields' cell that holds a point: places are told apart no finer.
+Vector2d cellMiddle(const WallFields& fields, const Vector2d& p) {
+  const Vector2d place = (p - fields.origin) / fields.resolution;
+  return fields.origin +
+         Vector2d(std::floor(place.x()) + 0.5, std::floor(place.y()) + 0.5) * fields.resolution;
+}
+
+bool isInside(const WallFields& fields, const Vector2d& p) {
+  const Vector2d place = (p - fields.origin) / fields.resolution;
+  return place.minCoeff() >= 0 && place.x() < fields.width && place.y() < fields.height;
+}
+
+/// Distance to the nearest cell that is not free, metres.
+double depthAt(const StateGrid& grid, const Vector2d& p) {
+  const int cx = static_cast<int>(std::floor(p.x() / grid.resolution));
+  const int cy = static_cast<int>(std::floor(p.y() / grid.resolution));
+  if (grid.at(cx, cy) != CellState::Free) {
+    return 0;
+  }
+  double nearest = 1e9;
+  for (int y = -1; y <= grid.height; ++y) {
+    for (int x = -1; x <= grid.width; ++x) {
+      if (grid.at(x, y) != CellState::Free) {
+        nearest = std::min(nearest, grid.resolution * std::hypot(x - cx, y - cy));
+      }
+    }
+  }
+  return nearest;
+}
+
+double nearestWall(const MapFeatures& map, const Vector2d& p, const Vector2d& normal) {
+  double nearest = 1e9;
+  for (const WallPoint& wall : map.wall_points) {
+    if (test::facesAlike(wall.normal, normal)) {
+      nearest = std::min(nearest, (wall.position - p).norm());
+    }
+  }
+  return nearest;
+}
+
+Counted count(const ScatteredMap& from, const ScatteredMap& to, const RigidTransform& transform,
+              const EvidenceOptions& options = {}) {
+  Counted sum;
+  const WallFields& fields = to.features.fields;
+  const Eigen::Rotation2Dd turn(transform.heading);
+  for (const WallPoint& wall : from.features.wall_points) {
+    const Vector2d p = transform * wall.position;
+    if (!isInside(fields, p)) {
+      continue;
+    }
+    const Vector2d middle = cellMiddle(fields, p), normal = turn * wall.normal;
+    const double exact = nearestWall(to.features, middle, normal);
+    const double distance = std::round(exact / WallFields::unit) * WallFields::unit;
+    const auto gauss = [&](double sigma) {
+      return exact <= 2 ? std::exp(-0.5 * distance * distance / (sigma * sigma)) : 0.0;
+    };
+    const double depth = depthAt(to.grid, middle), agree = gauss(options.wide);
+    sum.agree += agree;
+    sum.tight += gauss(options.tight);
+    sum.facing += agree * normal * normal.transpose();
+    sum.known += depth > 0 ? 1 : agree;
+    // Depths are counted along straight and diagonal steps: 5 % off at most.
+    sum.least_conflict += conflictWeight(0.95 * depth - 0.005, options) * (1 - agree);
+    sum.most_conflict += conflictWeight(1.05 * depth + 0.005, options) * (1 - agree);
+  }
+  for (const Vector2d& free : from.features.free_points) {
+    const Vector2d p = transform * free;
+    sum.free_free += isInside(fields, p) && depthAt(to.grid, cellMiddle(fields, p)) > 0 ? 1 : 0;
+  }
+  return sum;
+}
+
+/// Headings a few degrees from a multiple of a sector; see scatteredMap().
+RigidTransform randomTransform(std::mt19937& random) {
+  std::uniform_real_distribution<double> shift(-3, 3), degrees(-5, 5);
+  const double heading =
+      std::uniform_int_distribution<int>(-4, 4)(random) * M_PI / 4 + degrees(random) * M_PI / 180;
+  // The middle of the one map comes near to the middle of the other.
+  const Vector2d middle(4, 3);
+  return {heading,
+          middle + Vector2d(shift(random), shift(random)) - Eigen::Rotation2Dd(heading) * middle};
+}
+
+void checkAlike(const Evidence& left, const Evidence& right, double tolerance) {
+  const auto near = [&](double value) { return Approx(value).epsilon(0).margin(tolerance); };
+  CHECK(left.known == near(right.known));
+  CHECK(left.agree == near(right.agree));
+  CHECK(left.tight == near(right.tight));
+  CHECK(left.conflict == near(right.conflict));
+  CHECK(left.free_free == near(right.free_free));
+  CHECK(left.wall == near(right.wall));
+  CHECK(left.free == near(right.free));
+}
+
+}  // namespace
+
+TEST_CASE("evidence is what each wall and each free point says by itself", "[verification]") {
+  std::mt19937 random(5);
+  double agreed = 0, conflicted = 0;
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    const ScatteredMap a = test::scatteredMap(seed), b = test::scatteredMap(seed + 100, 50);
+    const RigidTransform b_in_a = randomTransform(random);
+    INFO("seed " << seed);
+    const Evidence found = gatherEvidence(a.features, b.features, b_in_a);
+    const Counted there = count(b, a, b_in_a), back = count(a, b, b_in_a.inverse());
+    const auto near = [](double points) { return Approx(0.2 * points).epsilon(1e-3).margin(0.01); };
+    CHECK(found.agree == near(there.agree + back.agree));
+    CHECK(found.tight == near(there.tight + back.tight));
+    CHECK(found.known == near(there.known + back.known));
+    CHECK(found.conflict >= 0.2 * (there.least_conflict + back.least_conflict) - 1e-6);
+    CHECK(found.conflict <= 0.2 * (there.most_conflict + back.most_conflict) + 1e-6);
+    CHECK(found.free_free == Approx(0.5 * 0.16 * (there.free_free + back.free_free)));
+    CHECK(found.wall == Approx(0.2 * (80 + 50)));
+    CHECK(found.free == Approx(0.16 * 50));
+    const Eigen::Matrix2d turn = Eigen::Rotation2Dd(b_in_a.heading).toRotationMatrix();
+    const Eigen::Matrix2d facing = 0.2 * (there.facing + turn * back.facing * turn.transpose());
+    CHECK((found.facing - facing).norm() < 0.02);
+    agreed += found.agree;
+    conflicted += found.conflict;
+  }
+  // Else nothing was tested.
+  CHECK(agreed > 10);
+  CHECK(conflicted > 10);
+}
+
+TEST_CASE("that places are told apart by cells changes little", "[verification]") {
+  std::mt19937 random(6);
+  double found = 0, exact = 0;
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    const ScatteredMap a = test::scatteredMap(seed, 400), b = test::scatteredMap(seed + 50, 400);
+    const RigidTransform b_in_a = randomTransform(random);
+    found += gatherEvidence(a.features, b.features, b_in_a).agree;
+    for (const WallPoint& wall : b.features.wall_points) {
+      const double d = nearestWall(a.features, b_in_a * wall.position,
+                                   Eigen::Rotation2Dd(b_in_a.heading) * wall.normal);
+      exact += 0.2 * std::exp(-0.5 * d * d / 0.25);
+    }
+    for (const WallPoint& wall : a.features.wall_points) {
+      const double d = nearestWall(b.features, b_in_a.inverse() * wall.position,
+                                   Eigen::Rotation2Dd(-b_in_a.heading) * wall.normal);
+      exact += 0.2 * std::exp(-0.5 * d * d / 0.25);
+    }
+  }
+  CHECK(found == Approx(exact).epsilon(0.03));
+}
+
+TEST_CASE("evidence is the same seen from the other map", "[verification]") {
+  std::mt19937 random(7);
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    const MapFeatures a = test::scatteredMap(seed).features;
+    const MapFeatures b = test::scatteredMap(seed + 9, 60).features;
+    const RigidTransform b_in_a = randomTransform(random);
+    const Evidence there = gatherEvidence(a, b, b_in_a);
+    const Evidence back = gatherEvidence(b, a, b_in_a.inverse());
+    checkAlike(there, back, 1e-9);
+    const Eigen::Matrix2d turn = Eigen::Rotation2Dd(b_in_a.heading).toRotationMatrix();
+    CHECK((there.facing - turn * back.facing * turn.transpose()).norm() < 1e-9);
+  }
+}
+
+TEST_CASE("the first points stand for all", "[verification]") {
+  const Map map = test::exploreMap(test::officeFloor(), {2, 1, 0.3}, 0.1);
+  const MapFeatures office = extractFeatures(map);
+  const RigidTransform off{0.02, {0.3, -0.2}};
+  const Evidence all = gatherEvidence(office, office, off);
+  const Evidence some = gatherEvidence(office, office, off, 200);
+  CHECK(all.wall == Approx(some.wall));
+  CHECK(all.free == Approx(some.free));
+  CHECK(some.agree == Approx(all.agree).epsilon(0.1));
+  CHECK(some.known == Approx(all.known).epsilon(0.1));
+  CHECK(some.free_free == Approx(all.free_free).epsilon(0.1));
+  checkAlike(gatherEvidence(office, office, off, 1000000), all, 0);
+  // No points asked: nothing is known, and nothing divided by none.
+  const Evidence none = gatherEvidence(office, office, off, 0);
+  CHECK(none.known == 0);
+  CHECK(none.free_free == 0);
+}
+
+TEST_CASE("drift that shifts everything is a shift", "[verification]") {
+  std::mt19937 random(8);
+  const MapFeatures a = test::scatteredMap(3).features, b = test::scatteredMap(4).features;
+  const RigidTransform b_in_a = randomTransform(random);
+  checkAlike(gatherEvidence(a, b, b_in_a, DriftField()), gatherEvidence(a, b, b_in_a), 1e-9);
+  DriftField drift;
+  drift.displacements = {Vector2d(0.7, -0.4)};
+  RigidTransform shifted = b_in_a;
+  shifted.translation += Vector2d(0.7, -0.4);
+  checkAlike(gatherEvidence(a, b, b_in_a, drift), gatherEvidence(a, b, shifted), 1e-9);
+}
+
+TEST_CASE("a map agrees with itself and conflicts nowhere", "[verification]") {
+  const MapFeatures office =
+      extractFeatures(test::exploreMap(test::officeFloor(), {2, 1, 0.3}, 0.1));
+  const Evidence itself = gatherEvidence(office, office, {});
+  CHECK(itself.agree > 0.95 * itself.wall);
+  CHECK(itself.conflict < 0.01 * itself.wall);
+  CHECK(itself.free_free > 0.95 * itself.free);
+  const Evidence shifted = gatherEvidence(office, office, {0, {1.5, 1.3}});
+  CHECK(shifted.agree < 0.5 * itself.agree);
+  CHECK(shifted.conflict > 0.05 * shifted.known);
+  const Evidence apart = gatherEvidence(office, office, {0, {500, 0}});
+  CHECK(apart.known == 0);
+  CHECK(apart.agree == 0);
+  CHECK(apart.free_free == 0);
+}
+
+TEST_CASE("walls conflict more the deeper they stand in free space", "[verification]") {
+  EvidenceOptions options;
+  options.conflict_from = 0.2;
+  options.conflict_full = 0.6;
+  CHECK(conflictWeight(0.1, options) == 0);
+  CHECK(conflictWeight(0.3, options) == Approx(0.25));
+  CHECK(conflictWeight(0.6, options) == Approx(1));
+  CHECK(conflictWeight(5, options) == 1);
+}

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "catch.h"
+#include "drawing.h"
+#include "sbox/matching/feature_votes.h"
+#include "sbox/verification/plausibility.h"
+#include "sbox/verification/rank_hypotheses.h"
+
+using namespace sbox;
+using Eigen::Vector2d;
+
+namespace {
+
+struct Pair {
+  MapFeatures a, b;
+  RigidTransform b_in_a;  ///< The truth.
+};
+
+/// Two robots that saw the west and the east of one floor.
+Pair halvesOf(unsigned seed) {
+  const test::Floor floor = test::randomFloor(seed);
+  const Pose2D a_in_world(1, -2, 0.4), b_in_world(5, 1, -1.3);
+  Pair pair;
+  pair.a = extractFeatures(test::exploreMap(floor, a_in_world, 0.1, {{-1, -1}, {15, 20}}));
+  pair.b = extractFeatures(test::exploreMap(floor, b_in_world, 0.1, {{4, -1}, {40, 20}}));
+  const Pose2D truth =
+      inverse(pair.a.grid_in_map) + inverse(a_in_world) + b_in_world + pair.b.grid_in_map;
+  pair.b_in_a = {truth.phi, {truth.x, truth.y}};
+  return pair;
+}
+
+Vector2d middleOf(const MapFeatures& map) { return {map.width / 2, map.height / 2}; }
+
+/// What features propose, and hypotheses about the truth and anywhere.
+std::vector<Hypothesis> hypothesesFor(const Pair& pair, unsigned seed) {
+  std::vector<Hypothesis> hypotheses = voteForTransforms(pair.a, pair.b);
+  hypotheses.resize(std::min<size_t>(hypotheses.size(), 500));
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> angle(-M_PI, M_PI), shift(-15, 15);
+  for (int i = 0; i < 100; ++i) {
+    const double heading = angle(random);
+    const Vector2d place = middleOf(pair.a) + Vector2d(shift(random), shift(random));
+    hypotheses.push_back({{heading, place - Eigen::Rotation2Dd(heading) * middleOf(pair.b)}, 0});
+  }
+  return hypotheses;
+}
+
+bool isSame(const RigidTransform& left, const RigidTransform& right) {
+  return left.heading == right.heading && left.translation == right.translation;
+}
+
+}  // namespace
+
+TEST_CASE("asking few points first loses no answer that asking all finds", "[verification]") {
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    const Pair pair = halvesOf(seed);
+    const auto hypotheses = hypothesesFor(pair, seed);
+    const RankingOptions options;
+    const auto fits = rankHypotheses(pair.a, pair.b, hypotheses, options);
+    INFO("seed " << seed);
+    REQUIRE(!fits.empty());
+
+    // Every hypothesis is aligned and asked of all points.
+    RigidTransform best;
+    double highest = kImplausible;
+    for (const Hypothesis& hypothesis : hypotheses) {
+      const RigidTransform aligned =
+          alignWalls(pair.a, pair.b, hypothesis.b_in_a, options.alignment);
+      const double found = plausibility(gatherEvidence(pair.a, pair.b, aligned));
+      if (found > highest) {
+        highest = found;
+        best = aligned;
+      }
+    }
+    CHECK(isSameAnswer(fits[0].b_in_a, best, middleOf(pair.b), 0.3, 0.02));
+    CHECK(isSameAnswer(fits[0].b_in_a, pair.b_in_a, middleOf(pair.b), 0.3, 0.02));
+    CHECK(plausibility(gatherEvidence(pair.a, pair.b, fits[0].b_in_a)) > highest - 1);
+  }
+}
+
+TEST_CASE("fits are distinct, and carry what the cells say of them", "[verification]") {
+  const Pair pair = halvesOf(2);
+  const RankingOptions options;
+  const auto fits = rankHypotheses(pair.a, pair.b, hypothesesFor(pair, 2), options);
+  CHECK(fits.size() <= static_cast<size_t>(options.kept));
+  for (size_t i = 0; i < fits.size(); ++i) {
+    for (size_t j = 0; j < i; ++j) {
+      CHECK_FALSE(isSameAnswer(fits[i].b_in_a, fits[j].b_in_a, middleOf(pair.b),
+                               options.same_distance, options.same_turn * M_PI / 180));
+    }
+    const auto points = static_cast<size_t>(options.bent_points);
+    CHECK(fits[i].evidence.agree ==
+          gatherEvidence(pair.a, pair.b, fits[i].b_in_a, points, options.evidence).agree);
+    CHECK(fits[i].boxes ==
+          static_cast<int>(
+              matchBoxes(pair.a, pair.b, fits[i].b_in_a, fits[i].drift, options.boxes).size()));
+  }
+}
+
+TEST_CASE("the order of the hypotheses does not change the fits", "[verification]") {
+  const Pair pair = halvesOf(3);
+  auto hypotheses = hypothesesFor(pair, 3);
+  const auto fits = rankHypotheses(pair.a, pair.b, hypotheses);
+  std::shuffle(hypotheses.begin(), hypotheses.end(), std::mt19937(9));
+  const auto shuffled = rankHypotheses(pair.a, pair.b, hypotheses);
+  REQUIRE(fits.size() == shuffled.size());
+  for (size_t i = 0; i < fits.size(); ++i) {
+    CHECK(isSame(fits[i].b_in_a, shuffled[i].b_in_a));
+  }
+}
+
+TEST_CASE("of nothing, and of maps that do not meet, there are no fits", "[verification]") {
+  const Pair pair = halvesOf(1);
+  CHECK(rankHypotheses(pair.a, pair.b, {}).empty());
+  CHECK(rankHypotheses(pair.a, pair.b, {{{0, {1000, 0}}, 5}, {{1, {0, -1000}}, 3}}).empty());
+}
+
+TEST_CASE("two transforms are one answer by where they put the middle, and by the turn",
+          "[verification]") {
+  const Vector2d middle(10, 5);
+  const RigidTransform one{0.3, {2, 1}};
+  const auto turnedAboutMiddle = [&](double turn) {
+    const double heading = one.heading + turn;
+    return RigidTransform{heading, one * middle - Eigen::Rotation2Dd(heading) * middle};
+  };
+  CHECK(isSameAnswer(one, one, middle, 1e-9, 1e-9));
+  CHECK(isSameAnswer(one, turnedAboutMiddle(0.09), middle, 0.1, 0.1));
+  CHECK_FALSE(isSameAnswer(one, turnedAboutMiddle(0.11), middle, 0.1, 0.1));
+  CHECK(isSameAnswer(one, turnedAboutMiddle(2 * M_PI), middle, 0.1, 0.1));
+  CHECK(isSameAnswer(one, {0.3, {2.3, 1.3}}, middle, 0.5, 0.1));
+  CHECK_FALSE(isSameAnswer(one, {0.3, {2.4, 1.4}}, middle, 0.5, 0.1));
+}
