@@ -38,10 +38,10 @@ Vector2d middleOf(const MapFeatures& map) { return {map.width / 2, map.height / 
 /// What features propose, and hypotheses about the truth and anywhere.
 std::vector<Hypothesis> hypothesesFor(const Pair& pair, unsigned seed) {
   std::vector<Hypothesis> hypotheses = voteForTransforms(pair.a, pair.b);
-  hypotheses.resize(std::min<size_t>(hypotheses.size(), 500));
+  hypotheses.resize(std::min<size_t>(hypotheses.size(), 250));
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> angle(-M_PI, M_PI), shift(-15, 15);
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < 50; ++i) {
     const double heading = angle(random);
     const Vector2d place = middleOf(pair.a) + Vector2d(shift(random), shift(random));
     hypotheses.push_back({{heading, place - Eigen::Rotation2Dd(heading) * middleOf(pair.b)}, 0});
