@@ -82,7 +82,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.all_groups = input.ConsumeBool();
   options.threads = 1;
   // Coarser than one would, which reaches the same code in less time.
-  options.paper.lines.theta_step = 0.1;
+  options.paper.hough.theta_step = 0.1;
   options.paper.boxes.max_boxes = 60;
   std::vector<Map> maps{anyMap(input, "a")};
   const bool same_twice = input.ConsumeBool();
