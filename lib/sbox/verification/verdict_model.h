@@ -30,9 +30,9 @@ constexpr size_t kVerdictTerms = 10;
 /// Weights found by maximum likelihood: `sbox-bench FOLDERS --fit-verdict` prints them.
 struct VerdictModel {
   /// Of the terms, in their order.
-  std::array<double, kVerdictTerms> weights = {12.822,  1.4928, -0.28723, -7.2996,  -4.4362,
-                                               0.21024, 1.2417, 0.48095,  -0.50149, -0.60037};
-  double none = 6.4534;  ///< Log odds of "none of the fits is right".
+  std::array<double, kVerdictTerms> weights = {12.807, 1.4967, -0.29974, -7.2549,  -4.4351,
+                                               0.2057, 1.2746, 0.47928,  -0.48878, -0.56704};
+  double none = 6.4887;  ///< Log odds of "none of the fits is right".
   /// Log odds lost for each unit by which Fit::bend_ratio exceeds `most_bend`. Not fitted: of 240
   /// right fits of real pairs none had more than 1.41, of wrong ones of clean maps most have
   /// above 3.
