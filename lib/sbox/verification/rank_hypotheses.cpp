@@ -84,12 +84,14 @@ std::vector<Fit> rankHypotheses(const MapFeatures& a, const MapFeatures& b,
   score(a, b, ranked, options.fine_points, weights);
   keepBest(ranked, options.coarse_kept);
   keepDistinct(ranked, options.aligned, centre_b, options);
-  for (Ranked& candidate : ranked) {
-    candidate.b_in_a = alignWalls(a, b, candidate.b_in_a, options.alignment);
+  for (const AlignmentOptions& alignment : {options.first_alignment, options.alignment}) {
+    for (Ranked& candidate : ranked) {
+      candidate.b_in_a = alignWalls(a, b, candidate.b_in_a, alignment);
+    }
+    score(a, b, ranked, 2 * options.fine_points, weights);
+    keepBest(ranked, options.aligned);
+    keepDistinct(ranked, options.kept, centre_b, options);
   }
-  score(a, b, ranked, 2 * options.fine_points, weights);
-  keepBest(ranked, options.aligned);
-  keepDistinct(ranked, options.kept, centre_b, options);
 
   std::vector<Fit> fits;
   for (const Ranked& candidate : ranked) {
