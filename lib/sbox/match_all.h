@@ -9,7 +9,7 @@
 #include "sbox/core/feature_set.h"
 #include "sbox/core/map.h"
 #include "sbox/core/parallel.h"
-#include "sbox/placement/place_maps.h"
+#include "sbox/placement/map_pair.h"
 #include "sbox/progress.h"
 #include "sbox/stopwatch.h"
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "sbox/core/parallel.h"
 #include "sbox/match_all.h"
 
 namespace sbox {
@@ -81,8 +82,15 @@ MergeResult mergeMaps(const std::vector<Map>& maps, const MergeOptions& options,
   }
   const Stopwatch stopwatch;
   MatchedMaps matched = match(maps, options, progress);
+  std::vector<Footprint> footprints(maps.size());
+  parallelFor(static_cast<int>(maps.size()), options.threads, [&](int i) {
+    footprints[static_cast<size_t>(i)] = footprintOf(maps[static_cast<size_t>(i)]);
+  });
   const PlacementResult placed =
-      placeMaps(static_cast<int>(maps.size()), matched.pairs, options.reference, options.placement);
+      placeMaps(footprints, matched.pairs, options.reference, options.placement);
+  for (size_t i = 0; i < matched.pairs.size(); ++i) {
+    matched.pairs[i].settlement = placed.settlements[i];
+  }
 
   MergeResult result;
   const Stopwatch fusion_stopwatch;

@@ -79,7 +79,7 @@ TEST_CASE("the report holds what its contract names") {
   const json& pair = report["pairs"][0];
   CHECK(keys(pair) == std::set<std::string>{"a", "b", "verdict", "reason", "pose", "covariance",
                                             "confidence", "matched_boxes", "overlap_m2", "kalman",
-                                            "ceres", "alternatives"});
+                                            "ceres", "alternatives", "settlement"});
   CHECK(pair["a"] == 0);
   CHECK(pair["b"] == 1);
   CHECK(pair["verdict"] == "accepted");
@@ -95,6 +95,14 @@ TEST_CASE("the report holds what its contract names") {
   CHECK(keys(report["seconds"]) == std::set<std::string>{"load", "features", "matching",
                                                          "verification", "refinement", "fusion",
                                                          "save", "total"});
+}
+
+TEST_CASE("the report tells what the poses of all maps say of a pair") {
+  MergeResult result = twoMergedMaps();
+  CHECK(json::parse(reportJson(result, {}))["pairs"][0]["settlement"].is_null());
+  result.pairs[0].settlement = PairSettlement{true, 1, 0.25, 0.5};
+  CHECK(json::parse(reportJson(result, {}))["pairs"][0]["settlement"] ==
+        json::parse(R"({"agrees": true, "candidate": 1, "distance": 0.25, "turn": 0.5})"));
 }
 
 TEST_CASE("what is not known is null in the report") {

@@ -14,6 +14,7 @@ MergeResult results(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     MapOutcome map;
     map.name = name;
+    map.placement.group = static_cast<int>(result.maps.size());
     result.maps.push_back(map);
   }
   return result;
@@ -60,6 +61,7 @@ TEST_CASE("of more maps each has its line") {
   MergeResult result = results({"a", "b", "c"});
   result.pairs = {pairOf(0, 1, Verdict::Accepted, 0.9), pairOf(0, 2, Verdict::Rejected, 0.1),
                   pairOf(1, 2, Verdict::Rejected, 0.2)};
+  result.maps[1].placement.group = 0;
   result.maps[1].placement.pose = {2, 3, 0};
   result.merged.resize(1);
   result.merged[0].members = {0, 1};
@@ -67,4 +69,24 @@ TEST_CASE("of more maps each has its line") {
         Lines{"m.yaml: 2 of 3 maps merged in a", "b in a: x 2.000 m, y 3.000 m, phi 0.00 deg",
               "c: left out; c in b: rejected, as seen (best candidate x 1.234 m, y -0.567 m, phi "
               "12.34 deg, confidence 0.20)"});
+}
+
+TEST_CASE("groups that are not merged are told, and what the maps say together of a pair") {
+  MergeResult result = results({"a", "b", "c", "d", "e"});
+  result.pairs = {pairOf(0, 1, Verdict::Accepted, 0.9), pairOf(0, 4, Verdict::Accepted, 0.8),
+                  pairOf(2, 3, Verdict::Ambiguous, 0.4)};
+  result.pairs[2].settlement = PairSettlement{true, 2, 0.25, 0.1};
+  result.maps[1].placement.group = 0;
+  result.maps[3].placement.group = 2;
+  result.merged.resize(1);
+  result.merged[0].members = {0, 1};
+  const Lines lines = summaryLines(result, {"m.yaml"});
+  REQUIRE(lines.size() == 4);
+  CHECK(lines[2] == "c, d: left out, a group of their own");
+  CHECK(lines[3] ==
+        "e: left out; e in a: accepted, as seen (best candidate x 1.234 m, y -0.567 m, phi 12.34 "
+        "deg, confidence 0.80); not taken: no other pair bears it out");
+  CHECK(detailLines(result)[7] ==
+        "d in c: ambiguous, as seen (best candidate x 1.234 m, y -0.567 m, phi 12.34 deg, "
+        "confidence 0.40); by all maps alternative 2 is right within 0.25 m, 5.7 deg");
 }

@@ -29,7 +29,23 @@ OptionTable describeOptions(MergeOptions& options) {
 
   table.section("placement");
   table.number("min_confidence", options.placement.min_confidence, {0, 1},
-               "Accepted pairs below this confidence join nothing");
+               "Maps are joined with at least this probability");
+  table.number("overwhelming", options.placement.overwhelming, {0, 1},
+               "Probability from which one pair joins two groups by itself");
+  table.number("agreed", options.placement.agreed, {0, 1},
+               "Probability from which pairs that agree join two groups ...");
+  table.number("witnesses", options.placement.witnesses, {1, 100},
+               "... if they are this many; those of one place count as one");
+  table.number("alone", options.placement.alone, {0, 1},
+               "Probability, with what speaks against it, from which an accepted pair adds a map");
+  table.metres("same_distance", options.placement.same_pose.distance, {0, 1000},
+               "Two poses of a map this near are one ...");
+  table.number("same_distance_share", options.placement.same_pose.distance_share, {0, 1},
+               "... plus this share of the mean radius of the two maps");
+  table.degrees("same_turn", options.placement.same_pose.turn, {0, 180},
+                "Two headings of a map this near are one");
+  table.number("loss_scale", options.placement.graph.loss_scale, {0.01, 1000},
+               "Of the graph's robust loss, in standard deviations of an edge");
 
   table.section("fusion");
   table.choice<FusionRule>("rule", options.fusion.rule,

@@ -1,30 +1,22 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// All maps at once: which belong together, and where each lies. Accepted pairs, the most confident
-// first, join groups of maps (a maximum-confidence spanning tree); poses are composed along the
-// tree.
+// All maps at once: which belong together (map_groups.h), and where each lies by all pairs of its
+// group (pose_graph.h). A pair that alone was ambiguous or wrong is settled by the others.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "sbox/core/pair_result.h"
 #include "sbox/core/pose.h"
+#include "sbox/placement/footprint.h"
+#include "sbox/placement/map_groups.h"
+#include "sbox/placement/map_pair.h"
 
 namespace sbox {
 
-/// What is known about the maps with the indices a and b; a < b.
-struct MapPair {
-  int a = 0;          ///< Index of the first map.
-  int b = 0;          ///< Index of the second map.
-  PairResult result;  ///< What matching them gave.
-};
-
-/// Which pairs join maps.
-struct PlacementOptions {
-  double min_confidence = 0;  ///< Accepted pairs below this confidence join nothing; in [0, 1].
-};
+/// What joins maps, and how their poses are solved for.
+using PlacementOptions = GroupOptions;
 
 /// Where a map lies.
 struct MapPlacement {
@@ -45,12 +37,15 @@ struct PlacementResult {
   std::vector<MapPlacement> maps;  ///< In the order of the input.
   std::vector<MapGroup> groups;    ///< By number: in the order of their first members.
   int largest = 0;                 ///< The group with most members; of equals the first.
+  /// What became of each pair, in the order given; see MapPair::settlement.
+  std::vector<std::optional<PairSettlement>> settlements;
 };
 
-/// Places `map_count` maps. A group's reference is `reference` where it is a member, else its first
-/// member. The order of the pairs changes nothing. Throws std::invalid_argument when an index is
-/// out of range or no map is given.
-[[nodiscard]] PlacementResult placeMaps(int map_count, const std::vector<MapPair>& pairs,
+/// Places maps of these footprints. A group's reference is `reference` where it is a member, else
+/// its first member. The order of the pairs changes nothing. Throws std::invalid_argument when an
+/// index is out of range or no map is given.
+[[nodiscard]] PlacementResult placeMaps(const std::vector<Footprint>& maps,
+                                        const std::vector<MapPair>& pairs,
                                         std::optional<int> reference = {},
                                         const PlacementOptions& options = {});
 

@@ -46,6 +46,17 @@ Json mapJson(const MapOutcome& map) {
             {"boxes", map.features.boxes.size()}}}};
 }
 
+/// What the poses of all maps say of the pair.
+Json settlementJson(const std::optional<PairSettlement>& settlement) {
+  if (!settlement) {
+    return nullptr;
+  }
+  return {{"agrees", settlement->agrees},
+          {"candidate", settlement->candidate},
+          {"distance", settlement->distance},
+          {"turn", settlement->turn}};
+}
+
 Json pairJson(const MapPair& pair) {
   const PairResult& result = pair.result;
   Json alternatives = Json::array();
@@ -64,7 +75,8 @@ Json pairJson(const MapPair& pair) {
           {"overlap_m2", result.overlap_m2},
           {"kalman", poseJson(result.kalman)},
           {"ceres", poseJson(result.ceres)},
-          {"alternatives", alternatives}};
+          {"alternatives", alternatives},
+          {"settlement", settlementJson(pair.settlement)}};
 }
 
 Json mergedJson(const MergedGroup& merged, const std::string& file) {

@@ -18,6 +18,19 @@ std::string placeText(const MergeResult& result, int map, int reference, const P
 
 std::string confidenceText(double confidence) { return "confidence " + fixedDigits(confidence, 2); }
 
+int groupOf(const MergeResult& result, int map) {
+  return result.maps[static_cast<size_t>(map)].placement.group;
+}
+
+/// What the poses of all maps say of a pair: "; by all maps ...".
+std::string settlementText(const PairSettlement& settlement) {
+  const std::string which =
+      settlement.candidate == 0 ? "it" : "alternative " + std::to_string(settlement.candidate);
+  return "; by all maps " + which + (settlement.agrees ? " is right within " : " is off by ") +
+         fixedDigits(settlement.distance, 2) + " m, " +
+         fixedDigits(settlement.turn * 180 / M_PI, 1) + " deg";
+}
+
 /// "b.gridmap in a.gridmap: VERDICT: REASON (best candidate ...)".
 std::string pairText(const MergeResult& result, const MapPair& pair) {
   const PairResult& found = pair.result;
@@ -27,6 +40,12 @@ std::string pairText(const MergeResult& result, const MapPair& pair) {
   if (found.has_pose) {
     text += " (best candidate " + poseText(found.pose_b_in_a) + ", " +
             confidenceText(found.confidence) + ")";
+  }
+  if (result.maps.size() > 2) {
+    text += pair.settlement ? settlementText(*pair.settlement) : "";
+    const bool apart = groupOf(result, pair.a) != groupOf(result, pair.b);
+    text += apart && found.verdict == Verdict::Accepted ? "; not taken: no other pair bears it out"
+                                                        : "";
   }
   return text;
 }
@@ -102,7 +121,22 @@ std::vector<std::string> summaryLines(const MergeResult& result,
     lines.push_back(countText(0, result));
   }
   for (size_t map = 0; map < told.size(); ++map) {
-    const MapPair* best = told[map] ? nullptr : bestPair(result, static_cast<int>(map));
+    if (told[map]) {
+      continue;
+    }
+    std::string together = result.maps[map].name;
+    for (size_t other = map + 1; other < told.size(); ++other) {
+      if (groupOf(result, static_cast<int>(map)) == groupOf(result, static_cast<int>(other))) {
+        together += ", " + result.maps[other].name;
+        told[other] = true;
+        told[map] = true;
+      }
+    }
+    if (told[map]) {
+      lines.push_back(together + ": left out, a group of their own");
+      continue;
+    }
+    const MapPair* best = bestPair(result, static_cast<int>(map));
     if (best != nullptr) {
       lines.push_back(result.maps[map].name + ": left out; " + pairText(result, *best));
     }

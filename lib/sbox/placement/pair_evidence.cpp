@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox/placement/pair_evidence.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace sbox {
+namespace {
+
+/// No calibration is so good that it may rule out or settle anything for ever.
+constexpr double kLeastProbability = 1e-6, kLeastNone = 1e-4;
+
+/// Where the calculation of a covariance failed: a metre and six degrees.
+PoseCovariance vagueCovariance() { return Eigen::Vector3d(1, 1, 0.01).asDiagonal(); }
+
+bool isPositiveDefinite(const PoseCovariance& covariance) {
+  return covariance.allFinite() && covariance.llt().info() == Eigen::Success;
+}
+
+/// From the error of the frame's origin to that of the point at `arm` from it, in a's axes; with
+/// -arm the other way round.
+Eigen::Matrix3d leverTo(const Eigen::Vector2d& arm) {
+  Eigen::Matrix3d lever = Eigen::Matrix3d::Identity();
+  lever(0, 2) = -arm.y();
+  lever(1, 2) = arm.x();
+  return lever;
+}
+
+/// The covariance of `from` as that of `to`: the same error of the middle of b, along b's axes.
+PoseCovariance carriedByMiddle(const PoseCovariance& covariance, const Pose2D& from,
+                               const Pose2D& to, const Point2D& middle_b) {
+  const Eigen::Vector2d middle(middle_b.x, middle_b.y);
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
+  turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(to.phi - from.phi).toRotationMatrix();
+  const Eigen::Matrix3d jacobian = leverTo(-(Eigen::Rotation2Dd(to.phi) * middle)) * turn *
+                                   leverTo(Eigen::Rotation2Dd(from.phi) * middle);
+  return jacobian * covariance * jacobian.transpose();
+}
+
+/// The mean of that by the middle of b and that by the middle of a, so that the order of the maps
+/// does not matter.
+PoseCovariance carriedOver(const PoseCovariance& covariance, const Pose2D& from, const Pose2D& to,
+                           const Footprint& a, const Footprint& b) {
+  const PoseCovariance by_b = carriedByMiddle(covariance, from, to, b.centre);
+  const PoseCovariance by_a = inverseCovariance(
+      inverse(to),
+      carriedByMiddle(inverseCovariance(from, covariance), inverse(from), inverse(to), a.centre));
+  const PoseCovariance mean = (by_a + by_b) / 2;
+  return (mean + mean.transpose()) / 2;
+}
+
+}  // namespace
+
+bool isSamePose(const PoseGap& gap, const Footprint& a, const Footprint& b,
+                const SamePoseOptions& options) {
+  return gap.turn <= options.turn &&
+         gap.distance <= options.distance + options.distance_share * (a.radius + b.radius) / 2;
+}
+
+double trustOnAgreement(const PairEvidence& pair, int candidate) {
+  if (pair.accepted && candidate == 0) {
+    return 1;
+  }
+  const double right =
+      pair.candidates[static_cast<size_t>(candidate)].probability * std::exp(kLogCoincidence);
+  return right / (right + pair.none);
+}
+
+PairEvidence evidenceOf(const MapPair& pair, const Footprint& a, const Footprint& b) {
+  PairEvidence evidence{pair.a, pair.b, pair.result.verdict == Verdict::Accepted, {}, 1};
+  const PairResult& result = pair.result;
+  if (!result.has_pose) {
+    evidence.accepted = false;
+    return evidence;
+  }
+  const PoseCovariance covariance =
+      isPositiveDefinite(result.covariance) ? result.covariance : vagueCovariance();
+  evidence.candidates.push_back({result.pose_b_in_a, covariance, result.confidence});
+  for (const Candidate& other : result.alternatives) {
+    evidence.candidates.push_back(
+        {other.pose_b_in_a, carriedOver(covariance, result.pose_b_in_a, other.pose_b_in_a, a, b),
+         other.confidence});
+  }
+  double sum = 0;
+  for (EdgeCandidate& candidate : evidence.candidates) {
+    candidate.probability = std::clamp(candidate.probability, kLeastProbability, 1.0);
+    sum += candidate.probability;
+  }
+  evidence.none = std::max(1 - sum, kLeastNone);
+  return evidence;
+}
+
+}  // namespace sbox

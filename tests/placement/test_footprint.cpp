@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cmath>
+
+#include "catch.h"
+#include "sbox/placement/footprint.h"
+
+using namespace sbox;
+
+namespace {
+
+/// 10 m x 5 m of free cells, with the frame's origin at the lower-left corner.
+Footprint hall() {
+  Map map = makeMap("hall", 100, 50, 0.1);
+  map.grid.fill(0.9F);
+  return footprintOf(map);
+}
+
+}  // namespace
+
+TEST_CASE("a footprint knows the middle and the extent of what a map knows") {
+  const Footprint footprint = hall();
+  CHECK(footprint.centre.x == Approx(5));
+  CHECK(footprint.centre.y == Approx(2.5));
+  CHECK(footprint.radius == Approx(std::sqrt((100 + 25) / 12.0)).epsilon(0.02));
+  CHECK(static_cast<double>(footprint.known.size()) * footprint.cell * footprint.cell ==
+        Approx(50));
+}
+
+TEST_CASE("a map without known cells has an empty footprint") {
+  const Footprint footprint = footprintOf(makeMap("nothing", 20, 20, 0.1));
+  CHECK(footprint.known.empty());
+  CHECK(overlapShare(footprint, hall(), {}) == 0);
+}
+
+TEST_CASE("the overlap is a share of the smaller map, whichever comes first") {
+  const Footprint large = hall();
+  Map map = makeMap("room", 40, 40, 0.1);
+  map.grid.fill(0.9F);
+  const Footprint small = footprintOf(map);
+  CHECK(overlapShare(large, large, {}) == Approx(1));
+  CHECK(overlapShare(large, large, {5, 0, 0}) == Approx(0.5));
+  CHECK(overlapShare(large, large, {10, 5, M_PI}) == Approx(1));
+  CHECK(overlapShare(large, large, {0, 6, 0}) == 0);
+  const Pose2D half_outside(8, 1, 0);
+  CHECK(overlapShare(large, small, half_outside) == Approx(0.5));
+  CHECK(overlapShare(small, large, inverse(half_outside)) == Approx(0.5));
+}
+
+TEST_CASE("the gap between poses is taken at the middles of the maps") {
+  const Footprint a = hall(), b = hall();
+  const PoseGap shifted = gapBetween(a, b, {1, 2, 0.5}, {1.3, 2.4, 0.5});
+  CHECK(shifted.distance == Approx(0.5));
+  CHECK(shifted.turn == 0);
+  // A turn about the common middle moves neither.
+  const double turn = 0.1;
+  const Point2D middle(5, 2.5);
+  const Point2D turned = Pose2D(0, 0, turn).composePoint(middle);
+  const PoseGap gap = gapBetween(a, b, {}, {middle.x - turned.x, middle.y - turned.y, turn});
+  CHECK(gap.distance == Approx(0).margin(1e-6));
+  CHECK(gap.turn == Approx(turn));
+  CHECK(gapBetween(a, b, {0, 0, 3.1}, {0, 0, -3.1}).turn == Approx(2 * M_PI - 6.2));
+}
