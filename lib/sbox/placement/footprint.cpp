@@ -52,8 +52,9 @@ Footprint footprintOf(const Map& map) {
   for (size_t i = 0; i < footprint.cells.size(); ++i) {
     if (footprint.cells[i] != 0) {
       const auto width = static_cast<size_t>(footprint.width);
-      const Point2D in_grid((static_cast<double>(i % width) + 0.5) * footprint.cell,
-                            (static_cast<double>(i / width) + 0.5) * footprint.cell);
+      const size_t column = i % width, row = i / width;
+      const Point2D in_grid((static_cast<double>(column) + 0.5) * footprint.cell,
+                            (static_cast<double>(row) + 0.5) * footprint.cell);
       footprint.known.push_back(footprint.corner_in_map.composePoint(in_grid));
       sum += footprint.known.back();
     }
