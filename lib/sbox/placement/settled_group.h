@@ -29,6 +29,7 @@ struct SettledGroup {
 
   /// Whether the edges leave no member unconnected.
   [[nodiscard]] bool isConnected() const;
+  /// The transforms of the edges, in their order.
   [[nodiscard]] std::vector<GraphEdge> graphEdges() const;
 };
 
