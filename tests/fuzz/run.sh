@@ -27,7 +27,7 @@ fuzz() {
   work=$(mktemp -d)
   # What a run learns goes into the first folder, which is not the one that is kept.
   if build/fuzz/tests/fuzz/"fuzz-$name" "$work" "tests/fuzz/corpus/$name" \
-    -max_total_time="$seconds" -timeout=20 -rss_limit_mb=3072 -max_len=4096 \
+    -seed=1 -max_total_time="$seconds" -timeout=20 -rss_limit_mb=3072 -max_len=4096 \
     -artifact_prefix="$found/$name-" -print_final_stats=1 > "$work.log" 2>&1; then
     printf 'fuzz-%s: %s inputs tried, none broke a rule\n' "$name" \
       "$(sed -n 's/^stat::number_of_executed_units: *//p' "$work.log")"

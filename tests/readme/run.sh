@@ -39,6 +39,6 @@ done
 
 HOME=$scratch/home bash -euxo pipefail commands.sh < /dev/null
 
-for file in merged.yaml merged.png report.json page.html poses.yaml options.ini both.gridmap; do
+for file in merged.yaml merged.png report.json page.html poses.yaml options.ini fleet.gridmap both.gridmap; do
   [[ -s $file ]] || { echo "the commands of README.md did not make $file" >&2; exit 1; }
 done
