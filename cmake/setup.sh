@@ -33,6 +33,7 @@ check_packages=(
   clang-tidy-14
   doxygen
   libclang-rt-14-dev
+  mrpt-apps
 )
 
 fail() {

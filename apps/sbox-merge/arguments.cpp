@@ -9,6 +9,7 @@
 
 #include "sbox/config/config_file.h"
 #include "sbox/io/file_bytes.h"
+#include "sbox/io/initial_file.h"
 #include "sbox/io/path_extension.h"
 
 namespace sbox::app {
@@ -28,6 +29,7 @@ constexpr const char* footer =
 /// What is read as text first: errors then say what is allowed in plain words.
 struct Texts {
   std::string config;
+  std::string initial;
   std::string method;
   std::string fusion;
   std::string slam;
@@ -88,6 +90,10 @@ void addFiles(CLI::App& app, Arguments& arguments) {
                  "Write where each map lies in the merged map as ROS transforms: .yaml as a\n"
                  "tf2_msgs/TFMessage, else static_transform_publisher commands")
       ->type_name("FILE");
+  app.add_option("--graph", arguments.graph,
+                 "Write how the maps hold together as a graph of poses (VERTEX2, EDGE2) for\n"
+                 "MRPT's graph-slam, usually a .graph")
+      ->type_name("FILE");
   app.add_option("--resolution", arguments.resolution,
                  "Edge length of a cell of plain images, in metres (no default)")
       ->type_name("M");
@@ -100,6 +106,11 @@ void addChoices(CLI::App& app, Arguments& arguments, Texts& texts) {
       ->type_name("N");
   app.add_flag("--all-groups", arguments.merge.all_groups,
                "Write a merged map of each group of two or more, not only the largest");
+  app.add_option(
+         "--initial", texts.initial,
+         "Where maps are thought to lie, in one frame: lines MAP x y phi sigma_xy sigma_phi\n"
+         "in metres and degrees. Breaks ties; maps that are sure overrule it")
+      ->type_name("FILE");
   app.add_option("--method", texts.method,
                  "How pairs are matched: corners and boxes propose and the cells decide, or the\n"
                  "published method as it is printed (default boxes)")
@@ -194,6 +205,9 @@ std::optional<Arguments> parseArguments(int argc, const char* const* argv) {
   }
   if (!arguments.dump_config) {
     check(arguments);
+    if (!texts.initial.empty()) {
+      arguments.merge.initial = loadInitialGuesses(texts.initial, arguments.inputs);
+    }
   }
   return arguments;
 }

@@ -21,6 +21,7 @@ struct Arguments {
   std::string pictures;              ///< Folder; empty: none.
   std::string html;                  ///< Empty: none.
   std::string tf;                    ///< Empty: none.
+  std::string graph;                 ///< Empty: none.
   std::optional<double> resolution;  ///< Of plain images, metres a cell.
   MergeOptions merge;                ///< With what --config and the other options say.
   SlamOptions slam;                  ///< For rawlogs.

@@ -14,6 +14,7 @@
 #include "sbox/io/path_extension.h"
 #include "sbox/io/save_map.h"
 #include "sbox/io/simplemap_file.h"
+#include "sbox/report/graph_text.h"
 #include "sbox/report/pictures.h"
 #include "sbox/report/report_html.h"
 #include "sbox/report/report_json.h"
@@ -108,7 +109,7 @@ void checkOutputs(const Arguments& arguments) {
   (void)trial.stage(arguments.output);
   (void)trial.stage(pictureBeside(arguments.output));
   for (const std::string& file :
-       {arguments.report, arguments.html, arguments.tf, arguments.simplemap}) {
+       {arguments.report, arguments.html, arguments.tf, arguments.simplemap, arguments.graph}) {
     if (!file.empty()) {
       (void)trial.stage(file);
     }
@@ -163,6 +164,12 @@ std::vector<std::string> writeOutputs(const Inputs& inputs, const Arguments& arg
   }
   if (!arguments.tf.empty() && !result.merged.empty()) {
     stageText(files, arguments.tf, tfText(result, arguments.tf));
+  }
+  if (!arguments.graph.empty()) {
+    const std::vector<std::string> names = mergedFileNames(result, arguments.graph);
+    for (size_t i = 0; i < names.size(); ++i) {
+      stageText(files, names[i], graphText(result, result.merged[i]));
+    }
   }
   if (!arguments.html.empty()) {
     stageText(files, arguments.html,

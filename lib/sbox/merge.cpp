@@ -87,7 +87,7 @@ MergeResult mergeMaps(const std::vector<Map>& maps, const MergeOptions& options,
     footprints[static_cast<size_t>(i)] = footprintOf(maps[static_cast<size_t>(i)]);
   });
   const PlacementResult placed =
-      placeMaps(footprints, matched.pairs, options.reference, options.placement);
+      placeMaps(footprints, matched.pairs, options.reference, options.placement, options.initial);
   for (size_t i = 0; i < matched.pairs.size(); ++i) {
     matched.pairs[i].settlement = placed.settlements[i];
   }

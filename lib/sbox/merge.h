@@ -26,15 +26,16 @@ enum class Method {
 
 /// Options of every stage.
 struct MergeOptions {
-  Method method = Method::Boxes;  ///< How pairs are matched.
-  PairOptions pair;               ///< For Method::Boxes.
-  PaperOptions paper;             ///< For Method::Paper.
-  PlacementOptions placement;     ///< From pairs to groups.
-  MappingOptions mapping;         ///< For those who make the maps of scans; see map_key_frames.h.
-  FusionOptions fusion;           ///< Its `threads` is replaced by the one below.
-  std::optional<int> reference;   ///< Index of the map whose frame the merged map takes, if it can.
-  bool all_groups = false;        ///< Merge every group of two or more, not only the largest.
-  int threads = 0;                ///< 0: one a core. Changes nothing but the time.
+  Method method = Method::Boxes;      ///< How pairs are matched.
+  PairOptions pair;                   ///< For Method::Boxes.
+  PaperOptions paper;                 ///< For Method::Paper.
+  PlacementOptions placement;         ///< From pairs to groups.
+  std::vector<InitialGuess> initial;  ///< Where some of the maps are thought to lie.
+  MappingOptions mapping;        ///< For those who make the maps of scans; see map_key_frames.h.
+  FusionOptions fusion;          ///< Its `threads` is replaced by the one below.
+  std::optional<int> reference;  ///< Index of the map whose frame the merged map takes, if it can.
+  bool all_groups = false;       ///< Merge every group of two or more, not only the largest.
+  int threads = 0;               ///< 0: one a core. Changes nothing but the time.
 };
 
 /// Merges the maps that belong together. The merged map is that of the largest group, in the frame

@@ -119,7 +119,7 @@ void hearWitnesses(std::vector<Witness>& witnesses, const std::vector<Footprint>
     const double log_odds = std::log(witness.probability / pair.none);
     if (&witness == &witnesses.front()) {
       evidence.strongest = witness.probability;
-      evidence.accepted = pair.accepted && witness.candidate == 0;
+      evidence.accepted = pair.accepted == witness.candidate;
       evidence.log_odds += log_odds;
     } else {
       const double weight = kLeastWeight + (1 - kLeastWeight) * fresh_share;

@@ -61,7 +61,7 @@ bool isSamePose(const PoseGap& gap, const Footprint& a, const Footprint& b,
 }
 
 double trustOnAgreement(const PairEvidence& pair, int candidate) {
-  if (pair.accepted && candidate == 0) {
+  if (pair.accepted == candidate) {
     return 1;
   }
   const double right =
@@ -70,12 +70,12 @@ double trustOnAgreement(const PairEvidence& pair, int candidate) {
 }
 
 PairEvidence evidenceOf(const MapPair& pair, const Footprint& a, const Footprint& b) {
-  PairEvidence evidence{pair.a, pair.b, pair.result.verdict == Verdict::Accepted, {}, 1};
+  PairEvidence evidence{pair.a, pair.b, -1, {}, 1};
   const PairResult& result = pair.result;
   if (!result.has_pose) {
-    evidence.accepted = false;
     return evidence;
   }
+  evidence.accepted = result.verdict == Verdict::Accepted ? 0 : -1;
   const PoseCovariance covariance =
       isPositiveDefinite(result.covariance) ? result.covariance : vagueCovariance();
   evidence.candidates.push_back({result.pose_b_in_a, covariance, result.confidence});

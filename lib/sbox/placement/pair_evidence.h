@@ -24,7 +24,7 @@ struct EdgeCandidate {
 struct PairEvidence {
   int a = 0;                              ///< Index of the first map.
   int b = 0;                              ///< Index of the second map.
-  bool accepted = false;                  ///< The verdict on the first candidate.
+  int accepted = -1;                      ///< The candidate that was accepted; -1: none.
   std::vector<EdgeCandidate> candidates;  ///< As PairSettlement::candidate counts them.
   double none = 1;                        ///< Probability that no candidate is right; above 0.
 };

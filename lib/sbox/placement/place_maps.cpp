@@ -75,7 +75,8 @@ void placeMembers(const SettledGroup& settled, const MapGroup& group, int number
 }  // namespace
 
 PlacementResult placeMaps(const std::vector<Footprint>& maps, const std::vector<MapPair>& pairs,
-                          std::optional<int> reference, const PlacementOptions& options) {
+                          std::optional<int> reference, const PlacementOptions& options,
+                          const std::vector<InitialGuess>& guesses) {
   if (maps.empty() ||
       (reference && (*reference < 0 || *reference >= static_cast<int>(maps.size())))) {
     throw std::invalid_argument("placement needs maps, and a reference among them");
@@ -86,6 +87,7 @@ PlacementResult placeMaps(const std::vector<Footprint>& maps, const std::vector<
     evidence.push_back(evidenceOf(pairs[i], maps[static_cast<size_t>(pairs[i].a)],
                                   maps[static_cast<size_t>(pairs[i].b)]));
   }
+  weighByGuesses(guesses, maps, evidence);
   const std::vector<SettledGroup> settled = groupMaps(maps, evidence, options);
 
   PlacementResult result;

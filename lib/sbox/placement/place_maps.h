@@ -10,6 +10,7 @@
 
 #include "sbox/core/pose.h"
 #include "sbox/placement/footprint.h"
+#include "sbox/placement/initial_guess.h"
 #include "sbox/placement/map_groups.h"
 #include "sbox/placement/map_pair.h"
 
@@ -42,11 +43,12 @@ struct PlacementResult {
 };
 
 /// Places maps of these footprints. A group's reference is `reference` where it is a member, else
-/// its first member. The order of the pairs changes nothing. Throws std::invalid_argument when an
-/// index is out of range or no map is given.
+/// its first member. The order of the pairs changes nothing. `guesses` break ties. Throws
+/// std::invalid_argument when an index is out of range or no map is given.
 [[nodiscard]] PlacementResult placeMaps(const std::vector<Footprint>& maps,
                                         const std::vector<MapPair>& pairs,
                                         std::optional<int> reference = {},
-                                        const PlacementOptions& options = {});
+                                        const PlacementOptions& options = {},
+                                        const std::vector<InitialGuess>& guesses = {});
 
 }  // namespace sbox

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox/placement/initial_guess.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace sbox {
+namespace {
+
+/// What is left of a candidate's odds however far from the guess it lies.
+constexpr double kTail = 0.1;
+/// By how much a sharp guess multiplies the odds of a candidate where it expects it.
+constexpr double kGain = 20;
+/// Maps drift, and nobody's frame is exact: metres and radians that every guess may be off.
+constexpr double kDrift = 0.5, kDriftTurn = 0.05;
+/// Probability from which a candidate counts as accepted once a guess has spoken.
+constexpr double kAcceptFrom = 0.7;
+
+double factorOf(const EdgeCandidate& candidate, const InitialGuess& a, const InitialGuess& b,
+                const Footprint& shape_a, const Footprint& shape_b) {
+  const Pose2D guess_b_in_a = inverse(a.pose) + b.pose;
+  const PoseGap gap = gapBetween(shape_a, shape_b, candidate.pose_b_in_a, guess_b_in_a);
+  const double sigma_turn = std::hypot(a.sigma_phi, b.sigma_phi);
+  // A heading that is off moves what lies far away.
+  const double arm =
+      (a.pose.composePoint(shape_a.centre) - b.pose.composePoint(shape_b.centre)).norm() / 2;
+  const double spread = std::sqrt(a.sigma_xy * a.sigma_xy + b.sigma_xy * b.sigma_xy +
+                                  sigma_turn * sigma_turn * arm * arm + kDrift * kDrift);
+  const double squared =
+      std::pow(gap.distance / spread, 2) +
+      std::pow(gap.turn, 2) / (sigma_turn * sigma_turn + kDriftTurn * kDriftTurn);
+  // A guess that allows everywhere says nothing.
+  const double reach = 1 + (shape_a.radius + shape_b.radius) / 2;
+  const double sharpness = reach * reach / (reach * reach + spread * spread);
+  const double tail = 1 - (1 - kTail) * sharpness;
+  return tail + kGain * sharpness * std::exp(-squared / 2);
+}
+
+}  // namespace
+
+void weighByGuesses(const std::vector<InitialGuess>& guesses, const std::vector<Footprint>& maps,
+                    std::vector<PairEvidence>& pairs) {
+  std::vector<const InitialGuess*> of_map(maps.size(), nullptr);
+  for (const InitialGuess& guess : guesses) {
+    if (guess.map < 0 || static_cast<size_t>(guess.map) >= maps.size() ||
+        of_map[static_cast<size_t>(guess.map)] != nullptr) {
+      throw std::invalid_argument("each guess must be of a map, and of each map once");
+    }
+    of_map[static_cast<size_t>(guess.map)] = &guess;
+  }
+  for (PairEvidence& pair : pairs) {
+    const InitialGuess* a = of_map[static_cast<size_t>(pair.a)];
+    const InitialGuess* b = of_map[static_cast<size_t>(pair.b)];
+    if (a == nullptr || b == nullptr || pair.candidates.empty()) {
+      continue;
+    }
+    double sum = pair.none;
+    for (EdgeCandidate& candidate : pair.candidates) {
+      candidate.probability *= factorOf(candidate, *a, *b, maps[static_cast<size_t>(pair.a)],
+                                        maps[static_cast<size_t>(pair.b)]);
+      sum += candidate.probability;
+    }
+    pair.none /= sum;
+    for (EdgeCandidate& candidate : pair.candidates) {
+      candidate.probability /= sum;
+    }
+    const auto likeliest =
+        std::max_element(pair.candidates.begin(), pair.candidates.end(),
+                         [](const EdgeCandidate& left, const EdgeCandidate& right) {
+                           return left.probability < right.probability;
+                         });
+    pair.accepted = likeliest->probability >= kAcceptFrom
+                        ? static_cast<int>(likeliest - pair.candidates.begin())
+                        : -1;
+  }
+}
+
+}  // namespace sbox

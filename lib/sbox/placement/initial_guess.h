@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Rough poses that somebody knows beforehand. They speak for candidates near to them and against
+// the others, but with tails so heavy that a wrong guess is overruled by maps that are sure.
+#pragma once
+
+#include <vector>
+
+#include "sbox/placement/footprint.h"
+#include "sbox/placement/pair_evidence.h"
+
+namespace sbox {
+
+/// Where a map is thought to lie. All guesses share one frame, whichever.
+struct InitialGuess {
+  int map = 0;           ///< Index of the map.
+  Pose2D pose;           ///< Frame of the map in the common frame.
+  double sigma_xy = 1;   ///< Standard deviation of x and of y, metres; above 0.
+  double sigma_phi = 1;  ///< Standard deviation of the heading, radians; above 0.
+};
+
+/// Weighs the candidates of all pairs of which both maps have a guess. Throws std::invalid_argument
+/// if a guess names a map that does not exist, or one that has a guess already.
+void weighByGuesses(const std::vector<InitialGuess>& guesses, const std::vector<Footprint>& maps,
+                    std::vector<PairEvidence>& pairs);
+
+}  // namespace sbox
