@@ -19,6 +19,7 @@
 #include "sbox-bench/refinement_table.h"
 #include "sbox-bench/run_method.h"
 #include "sbox-bench/score_table.h"
+#include "sbox-bench/set_score.h"
 #include "sbox-bench/write_answers.h"
 #include "sbox/verification/verdict.h"
 
@@ -34,6 +35,7 @@ struct Arguments {
   bool no_seconds = false;
   bool ratios = false;
   bool fit_verdict = false;
+  bool sets = false;
   bool refinement = false;
   std::string answers_file;
   std::string json_file;
@@ -69,6 +71,10 @@ void addOptions(CLI::App& app, Arguments& arguments) {
                "Fit the weights of the default method's verdict to the pairs and cross-validate");
   app.add_flag("--refinement", arguments.refinement,
                "Compare the ways of refining the transform by their error over the floor");
+  app.add_flag(
+      "--sets", arguments.sets,
+      "Merge all maps of each folder, and each set of its sets.json, in one call, and score "
+      "the poses");
   app.add_flag("--markdown", arguments.markdown, "Print tables as Markdown");
 }
 
@@ -127,6 +133,14 @@ void printFit(const std::vector<LoadedFolder>& folders, const Arguments& argumen
 }
 
 void run(const Arguments& arguments) {
+  if (arguments.sets) {
+    std::vector<PairFolder> pair_folders;
+    for (const std::string& folder : arguments.folders) {
+      pair_folders.push_back(readPairFolder(folder));
+    }
+    print(setTable(pair_folders, arguments.run.threads), arguments.markdown);
+    return;
+  }
   std::vector<LoadedFolder> folders;
   for (const std::string& folder : arguments.folders) {
     folders.push_back(loadFolder(readPairFolder(folder), arguments.run));
@@ -179,8 +193,9 @@ int main(int argc, char** argv) {
   addOptions(app, arguments);
   try {
     app.parse(argc, argv);
-    if (arguments.methods.empty() && !arguments.fit_verdict && !arguments.refinement) {
-      throw CLI::RequiredError("--method, --fit-verdict or --refinement");
+    if (arguments.methods.empty() && !arguments.sets && !arguments.fit_verdict &&
+        !arguments.refinement) {
+      throw CLI::RequiredError("--method, --sets, --fit-verdict or --refinement");
     }
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
