@@ -32,7 +32,8 @@ std::vector<MapSet> readSets(const PairFolder& folder) {
     return sets;
   }
   try {
-    for (const nlohmann::json& entry : nlohmann::json::parse(file).at("sets")) {
+    const nlohmann::json listed = nlohmann::json::parse(file);
+    for (const nlohmann::json& entry : listed.at("sets")) {
       MapSet set{entry.at("name").get<std::string>(), {}};
       for (const nlohmann::json& map : entry.at("maps")) {
         set.maps.push_back(map.at("map").get<std::string>());

@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
 #include "catch.h"
 #include "sbox-bench/set_score.h"
 
@@ -23,4 +27,24 @@ TEST_CASE("three maps of one building are one group with all pairs right") {
   score = scoreSet(moved, sets[0], 1);
   CHECK(score.right == 0);
   CHECK(score.wrong == folder.pairs.size());
+}
+
+TEST_CASE("sets are read from sets.json beside the pairs") {
+  const std::filesystem::path path = std::filesystem::temp_directory_path() / "sbox-test-sets";
+  std::filesystem::create_directory(path);
+  PairFolder folder;
+  folder.path = path.string();
+  folder.pairs.resize(1);
+  folder.pairs[0].a = "a";
+  folder.pairs[0].b = "b";
+  std::ofstream(path / "sets.json")
+      << R"({"sets": [{"name": "some", "maps": [{"map": "b"}, {"map": "c"}]}]})";
+  const std::vector<MapSet> sets = readSets(folder);
+  std::ofstream(path / "sets.json") << R"({"sets": 3})";
+  CHECK_THROWS_AS(readSets(folder), std::runtime_error);
+  std::filesystem::remove_all(path);
+  REQUIRE(sets.size() == 2);
+  CHECK(sets[0].maps == std::vector<std::string>{"a", "b"});
+  CHECK(sets[1].name == "some");
+  CHECK(sets[1].maps == std::vector<std::string>{"b", "c"});
 }
