@@ -5,8 +5,9 @@
 #pragma once
 
 #include "sbox/core/feature_set.h"
+#include "sbox/core/map.h"
 #include "sbox/core/pair_result.h"
-#include "sbox/merge.h"
+#include "sbox/merge_options.h"
 
 namespace sbox {
 

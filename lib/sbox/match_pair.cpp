@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
-#include <tuple>
 
 #include "sbox/stopwatch.h"
 
@@ -152,11 +151,7 @@ std::vector<Fit> findFits(const MapFeatures& a, const MapFeatures& b, const Pair
 
 PairResult matchPair(const MapFeatures& a, const MapFeatures& b, const PairOptions& options) {
   // Each pair is matched in one order, whichever way round it is given.
-  const auto order = [](const MapFeatures& map) {
-    return std::make_tuple(map.digest, map.width, map.height, map.grid_in_map.x, map.grid_in_map.y,
-                           map.grid_in_map.phi);
-  };
-  return order(b) < order(a) ? exchanged(matchInOrder(b, a, options)) : matchInOrder(a, b, options);
+  return comesFirst(b, a) ? exchanged(matchInOrder(b, a, options)) : matchInOrder(a, b, options);
 }
 
 }  // namespace sbox

@@ -7,27 +7,11 @@
 #include <utility>
 
 #include "sbox/core/parallel.h"
-#include "sbox/match_all.h"
+#include "sbox/placement/place_maps.h"
+#include "sbox/stopwatch.h"
 
 namespace sbox {
 namespace {
-
-/// Features of each map, then all pairs, by the method chosen.
-MatchedMaps match(const std::vector<Map>& maps, const MergeOptions& options,
-                  const ProgressFunction& progress) {
-  if (options.method == Method::Boxes) {
-    return matchAll(
-        maps, [&](const Map& map) { return extractFeatures(map, options.pair.features); },
-        [&](const MapFeatures& a, const MapFeatures& b) { return matchPair(a, b, options.pair); },
-        options.threads, progress);
-  }
-  return matchAll(
-      maps, [&](const Map& map) { return extractPaperFeatures(map, options.paper); },
-      [&](const PaperFeatures& a, const PaperFeatures& b) {
-        return matchPaper(a, b, options.paper);
-      },
-      options.threads, progress);
-}
 
 MergedGroup fuseGroup(const std::vector<Map>& maps, const PlacementResult& placed, int number,
                       const MergeOptions& options) {
@@ -62,68 +46,99 @@ std::vector<int> groupsToFuse(const PlacementResult& placed, bool all_groups) {
   return numbers;
 }
 
-MapOutcome outcomeOf(const Map& map, const MapPlacement& placement, FeatureSet features) {
+MapOutcome outcomeOf(const Map& map, const MapPlacement& placement, const FeatureSet& features) {
   MapOutcome outcome;
   outcome.name = map.name;
   outcome.width = map.width();
   outcome.height = map.height();
   outcome.resolution = map.resolution();
   outcome.placement = placement;
-  outcome.features = std::move(features);
+  outcome.features = features;
   return outcome;
+}
+
+std::vector<Footprint> footprintsOf(const std::vector<Map>& maps, int threads) {
+  std::vector<Footprint> footprints(maps.size());
+  parallelFor(static_cast<int>(maps.size()), threads, [&](int i) {
+    footprints[static_cast<size_t>(i)] = footprintOf(maps[static_cast<size_t>(i)]);
+  });
+  return footprints;
+}
+
+/// Merged map of the largest group, and of the others if all are asked for.
+std::vector<MergedGroup> fuseGroups(const std::vector<Map>& maps, const PlacementResult& placed,
+                                    const MergeOptions& options, const ProgressFunction& tell) {
+  const std::vector<int> groups = groupsToFuse(placed, options.all_groups);
+  StageProgress progress(tell, "fusion", static_cast<int>(groups.size()));
+  std::vector<MergedGroup> merged;
+  for (const int group : groups) {
+    merged.push_back(fuseGroup(maps, placed, group, options));
+    progress.partDone();
+  }
+  return merged;
+}
+
+/// Fills in status, reference and which maps are placed, by what was merged.
+void concludeStatus(std::optional<int> reference, MergeResult& result) {
+  result.reference = reference.value_or(0);
+  if (result.merged.empty()) {
+    return;
+  }
+  const MergedGroup& main_group = result.merged.front();
+  result.reference = main_group.reference;
+  for (const int member : main_group.members) {
+    result.maps[static_cast<size_t>(member)].placed = true;
+  }
+  result.status =
+      main_group.members.size() == result.maps.size() ? MergeStatus::Merged : MergeStatus::Partly;
 }
 
 }  // namespace
 
-MergeResult mergeMaps(const std::vector<Map>& maps, const MergeOptions& options,
+MergeResult mergeMaps(const std::vector<Map>& maps, const MergeOptions& options, MatchStore& known,
                       const ProgressFunction& progress) {
   if (maps.size() < 2) {
     throw std::invalid_argument("merging needs at least two maps");
   }
-  const Stopwatch stopwatch;
-  MatchedMaps matched = match(maps, options, progress);
-  std::vector<Footprint> footprints(maps.size());
-  parallelFor(static_cast<int>(maps.size()), options.threads, [&](int i) {
-    footprints[static_cast<size_t>(i)] = footprintOf(maps[static_cast<size_t>(i)]);
-  });
-  const PlacementResult placed =
-      placeMaps(footprints, matched.pairs, options.reference, options.placement, options.initial);
-  for (size_t i = 0; i < matched.pairs.size(); ++i) {
-    matched.pairs[i].settlement = placed.settlements[i];
-  }
-
+  const Stopwatch total_stopwatch;
   MergeResult result;
-  const Stopwatch fusion_stopwatch;
-  const std::vector<int> groups = groupsToFuse(placed, options.all_groups);
-  StageProgress fusion_progress(progress, "fusion", static_cast<int>(groups.size()));
-  for (const int group : groups) {
-    result.merged.push_back(fuseGroup(maps, placed, group, options));
-    fusion_progress.partDone();
-  }
-  result.seconds.fusion = fusion_stopwatch.seconds();
-
+  // Section 3.1: features, once a map.
+  extractAll(maps, options, known, progress);
+  result.seconds.features = total_stopwatch.seconds();
+  // Section 3.2: matching, of the pairs that are worth it.
+  const std::vector<Footprint> footprints = footprintsOf(maps, options.threads);
+  const Stopwatch retrieval_stopwatch;
+  const std::vector<PairIndex> pairs = pairsToMatch(footprints, options, known, progress);
+  result.seconds.matching = retrieval_stopwatch.seconds();
+  matchPairs(pairs, options, known, progress);
+  result.pairs = matchedPairs(pairs, known);
+  // Which maps belong together, and where each lies.
+  const PlacementResult placed =
+      placeMaps(footprints, result.pairs, options.reference, options.placement, options.initial);
   for (size_t i = 0; i < maps.size(); ++i) {
-    result.maps.push_back(outcomeOf(maps[i], placed.maps[i], std::move(matched.features[i])));
+    const FeatureSet& features = featureSetOf(*known.features[i]);
+    result.maps.push_back(outcomeOf(maps[i], placed.maps[i], features));
   }
-  result.reference = options.reference.value_or(0);
-  if (!result.merged.empty()) {
-    const MergedGroup& main_group = result.merged.front();
-    result.reference = main_group.reference;
-    for (const int member : main_group.members) {
-      result.maps[static_cast<size_t>(member)].placed = true;
-    }
-    result.status =
-        main_group.members.size() == maps.size() ? MergeStatus::Merged : MergeStatus::Partly;
-  }
-  result.seconds.features = matched.feature_seconds;
-  for (const MapPair& pair : matched.pairs) {
+  for (size_t i = 0; i < result.pairs.size(); ++i) {
+    MapPair& pair = result.pairs[i];
+    pair.settlement = placed.settlements[i];
     result.seconds.matching += pair.result.seconds.matching;
     result.seconds.verification += pair.result.seconds.verification;
     result.seconds.refinement += pair.result.seconds.refinement;
   }
-  result.pairs = std::move(matched.pairs);
-  result.seconds.total = stopwatch.seconds();
+  // Section 3.3: fusion.
+  const Stopwatch fusion_stopwatch;
+  result.merged = fuseGroups(maps, placed, options, progress);
+  result.seconds.fusion = fusion_stopwatch.seconds();
+  concludeStatus(options.reference, result);
+  result.seconds.total = total_stopwatch.seconds();
   return result;
+}
+
+MergeResult mergeMaps(const std::vector<Map>& maps, const MergeOptions& options,
+                      const ProgressFunction& progress) {
+  MatchStore known;
+  return mergeMaps(maps, options, known, progress);
 }
 
 }  // namespace sbox

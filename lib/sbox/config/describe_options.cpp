@@ -18,6 +18,19 @@ OptionTable describeOptions(MergeOptions& options) {
   describe(options.pair, table);
   describe(options.paper, table);
 
+  table.section("retrieval");
+  table.count("partners", options.retrieval.partners, {0, 100000},
+              "Of many maps, each is matched with this many that look most like it; 0: all");
+  LikenessOptions& likeness = options.retrieval.likeness;
+  table.count("max_hypotheses", likeness.max_hypotheses, {1, 100000},
+              "Transforms with most votes, by which likeness is judged");
+  table.count("min_per_heading", likeness.min_per_heading, {0, 100000},
+              "Kept of each pair of frames and quarter turn");
+  table.count("first_points", likeness.first_points, {1, 100000},
+              "Wall points that all are asked of");
+  table.count("kept", likeness.kept, {1, 100000}, "Transforms kept after that");
+  table.count("points", likeness.points, {1, 100000}, "Wall points that these are asked of");
+
   table.section("mapping");
   table.metres("resolution", options.mapping.resolution, {min_resolution, max_resolution},
                "Edge length of the cells of a map made of scans");

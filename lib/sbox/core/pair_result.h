@@ -11,6 +11,9 @@
 
 namespace sbox {
 
+/// Indices of two maps, the lower first.
+using PairIndex = std::pair<int, int>;
+
 enum class Verdict {
   Accepted,   ///< The transform is right with high probability.
   Ambiguous,  ///< Two distinct transforms explain the maps about as well.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <numeric>
+#include <tuple>
 
 namespace sbox {
 namespace {
@@ -87,6 +88,14 @@ FeatureSet describe(const std::vector<FrameFeatures>& frames, const std::vector<
 }
 
 }  // namespace
+
+bool comesFirst(const MapFeatures& one, const MapFeatures& other) {
+  const auto order = [](const MapFeatures& map) {
+    return std::make_tuple(map.digest, map.width, map.height, map.grid_in_map.x, map.grid_in_map.y,
+                           map.grid_in_map.phi);
+  };
+  return order(one) < order(other);
+}
 
 MapFeatures extractFeatures(const Map& map, const FeatureOptions& options) {
   MapFeatures features;

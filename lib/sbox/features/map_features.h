@@ -66,6 +66,9 @@ struct MapFeatures {
   [[nodiscard]] bool empty() const { return wall_points.empty(); }
 };
 
+/// An order of maps that does not depend on how they were given; equal maps have none.
+[[nodiscard]] bool comesFirst(const MapFeatures& one, const MapFeatures& other);
+
 [[nodiscard]] MapFeatures extractFeatures(const Map& map, const FeatureOptions& options = {});
 
 }  // namespace sbox

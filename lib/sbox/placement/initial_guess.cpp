@@ -18,16 +18,44 @@ constexpr double kDrift = 0.5, kDriftTurn = 0.05;
 /// Probability from which a candidate counts as accepted once a guess has spoken.
 constexpr double kAcceptFrom = 0.7;
 
+/// The guess of each map, or null.
+std::vector<const InitialGuess*> guessOfEachMap(const std::vector<InitialGuess>& guesses,
+                                                size_t map_count) {
+  std::vector<const InitialGuess*> of_map(map_count, nullptr);
+  for (const InitialGuess& guess : guesses) {
+    if (guess.map < 0 || static_cast<size_t>(guess.map) >= map_count ||
+        of_map[static_cast<size_t>(guess.map)] != nullptr) {
+      throw std::invalid_argument("each guess must be of a map, and of each map once");
+    }
+    of_map[static_cast<size_t>(guess.map)] = &guess;
+  }
+  return of_map;
+}
+
+/// Standard deviation of where the middles of both maps lie to each other, and the distance at
+/// which the guesses put them, metres.
+struct MiddleGap {
+  double spread = 0;
+  double distance = 0;
+};
+
+MiddleGap gapOfMiddles(const InitialGuess& a, const InitialGuess& b, const Footprint& shape_a,
+                       const Footprint& shape_b) {
+  MiddleGap gap;
+  gap.distance = (a.pose.composePoint(shape_a.centre) - b.pose.composePoint(shape_b.centre)).norm();
+  // A heading that is off moves what lies far away.
+  const double turn = std::hypot(a.sigma_phi, b.sigma_phi);
+  gap.spread = std::sqrt(a.sigma_xy * a.sigma_xy + b.sigma_xy * b.sigma_xy +
+                         std::pow(turn * gap.distance / 2, 2) + kDrift * kDrift);
+  return gap;
+}
+
 double factorOf(const EdgeCandidate& candidate, const InitialGuess& a, const InitialGuess& b,
                 const Footprint& shape_a, const Footprint& shape_b) {
   const Pose2D guess_b_in_a = inverse(a.pose) + b.pose;
   const PoseGap gap = gapBetween(shape_a, shape_b, candidate.pose_b_in_a, guess_b_in_a);
   const double sigma_turn = std::hypot(a.sigma_phi, b.sigma_phi);
-  // A heading that is off moves what lies far away.
-  const double arm =
-      (a.pose.composePoint(shape_a.centre) - b.pose.composePoint(shape_b.centre)).norm() / 2;
-  const double spread = std::sqrt(a.sigma_xy * a.sigma_xy + b.sigma_xy * b.sigma_xy +
-                                  sigma_turn * sigma_turn * arm * arm + kDrift * kDrift);
+  const double spread = gapOfMiddles(a, b, shape_a, shape_b).spread;
   const double squared =
       std::pow(gap.distance / spread, 2) +
       std::pow(gap.turn, 2) / (sigma_turn * sigma_turn + kDriftTurn * kDriftTurn);
@@ -40,16 +68,29 @@ double factorOf(const EdgeCandidate& candidate, const InitialGuess& a, const Ini
 
 }  // namespace
 
+std::vector<PairIndex> pairsThatMayMeet(const std::vector<InitialGuess>& guesses,
+                                        const std::vector<Footprint>& maps) {
+  constexpr double deviations = 3;
+  const std::vector<const InitialGuess*> of_map = guessOfEachMap(guesses, maps.size());
+  std::vector<PairIndex> pairs;
+  for (size_t a = 0; a < maps.size(); ++a) {
+    for (size_t b = a + 1; of_map[a] != nullptr && b < maps.size(); ++b) {
+      if (of_map[b] == nullptr) {
+        continue;
+      }
+      const MiddleGap gap = gapOfMiddles(*of_map[a], *of_map[b], maps[a], maps[b]);
+      // What is known of a map reaches about twice its radius.
+      if (gap.distance < 2 * (maps[a].radius + maps[b].radius) + deviations * gap.spread) {
+        pairs.emplace_back(static_cast<int>(a), static_cast<int>(b));
+      }
+    }
+  }
+  return pairs;
+}
+
 void weighByGuesses(const std::vector<InitialGuess>& guesses, const std::vector<Footprint>& maps,
                     std::vector<PairEvidence>& pairs) {
-  std::vector<const InitialGuess*> of_map(maps.size(), nullptr);
-  for (const InitialGuess& guess : guesses) {
-    if (guess.map < 0 || static_cast<size_t>(guess.map) >= maps.size() ||
-        of_map[static_cast<size_t>(guess.map)] != nullptr) {
-      throw std::invalid_argument("each guess must be of a map, and of each map once");
-    }
-    of_map[static_cast<size_t>(guess.map)] = &guess;
-  }
+  const std::vector<const InitialGuess*> of_map = guessOfEachMap(guesses, maps.size());
   for (PairEvidence& pair : pairs) {
     const InitialGuess* a = of_map[static_cast<size_t>(pair.a)];
     const InitialGuess* b = of_map[static_cast<size_t>(pair.b)];
