@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "sbox-dataset/drive.h"
+#include "sbox-dataset/fleet.h"
 #include "sbox-dataset/logged_runs.h"
 #include "sbox-dataset/office.h"
 #include "sbox-dataset/rawlog_file.h"
@@ -53,10 +54,10 @@ struct LogArguments {
 
 struct OutputArguments {
   std::string folder;
-  std::string environment;
+  std::string place;
 };
 
-std::vector<NamedRun> simulate(const SimulateArguments& arguments) {
+std::vector<NamedRun> simulate(const SimulateArguments& arguments, const std::string& place) {
   constexpr double kPlanningCell = 0.05;
   const World world = loadWorld(arguments.world);
   const RoutePlanner planner(worldGrid(world, kPlanningCell));
@@ -68,7 +69,8 @@ std::vector<NamedRun> simulate(const SimulateArguments& arguments) {
     if (arguments.plan) {
       drawn = planner.tour(drawn.start_in_world, drawn.points_in_world);
     }
-    runs.push_back({std::filesystem::path(path).stem().string(), drive(world, drawn, options)});
+    runs.push_back(
+        {std::filesystem::path(path).stem().string(), place, drive(world, drawn, options)});
   }
   return runs;
 }
@@ -81,22 +83,25 @@ void saveRawlogs(const std::string& folder, const std::vector<NamedRun>& runs) {
   }
 }
 
-std::vector<NamedRun> runsOfLog(const LogArguments& arguments) {
+std::vector<NamedRun> runsOfLog(const LogArguments& arguments, const std::string& place) {
   const ScanLog log(arguments.rawlog);
   const std::vector<Pose2D> poses_in_world = loadPoses(arguments.poses);
   std::vector<NamedRun> runs;
   for (const auto& [name, first, path] : arguments.parts) {
-    runs.push_back({name, cutRun(log, poses_in_world, first, loadPoses(path))});
+    runs.push_back({name, place, cutRun(log, poses_in_world, first, loadPoses(path))});
   }
   return runs;
 }
 
-void addOutput(CLI::App* command, OutputArguments& output) {
+void addFolder(CLI::App* command, OutputArguments& output) {
   command->add_option("--out", output.folder, "Folder to write into")
       ->required()
       ->check(CLI::ExistingDirectory);
-  command->add_option("--environment", output.environment, "What pairs.json calls the place")
-      ->required();
+}
+
+void addOutput(CLI::App* command, OutputArguments& output) {
+  addFolder(command, output);
+  command->add_option("--environment", output.place, "What pairs.json calls the place")->required();
 }
 
 }  // namespace
@@ -125,6 +130,15 @@ int main(int argc, char** argv) {
   office_command->add_option("--seed", office.seed, "Which one");
   office_command->add_option("--out", office.out, "The world, a text file")->required();
 
+  FleetOptions fleet;
+  CLI::App* fleet_command =
+      app.add_subcommand("fleet", "Map many random offices with several robots each");
+  fleet_command->add_option("--buildings", fleet.buildings, "Offices (default 10)");
+  fleet_command->add_option("--robots", fleet.robots, "Robots in each (default 5)");
+  fleet_command->add_option("--drift", fleet.drift, "Odometry noise, a factor (default 1)");
+  fleet_command->add_option("--seed", fleet.seed, "Seed of offices, ways and noise (default 1)");
+  addFolder(fleet_command, output);
+
   CutArguments cut;
   CLI::App* cut_command = app.add_subcommand("cut", "Cut scans out of a log, for a SLAM to map");
   cut_command->add_option("--rawlog", cut.rawlog, "The whole log")->required();
@@ -146,10 +160,12 @@ int main(int argc, char** argv) {
       ScanLog(cut.rawlog).save(cut.first, cut.count, cut.out);
     } else if (*office_command) {
       saveWorld(randomOffice(office.seed), office.out);
+    } else if (*fleet_command) {
+      writeDataset(output.folder, driveFleet(fleet));
     } else {
       const std::vector<NamedRun> runs =
-          *simulate_command ? simulate(simulated) : runsOfLog(logged);
-      writeDataset(output.folder, output.environment, runs);
+          *simulate_command ? simulate(simulated, output.place) : runsOfLog(logged, output.place);
+      writeDataset(output.folder, runs);
       if (*simulate_command && simulated.rawlogs) {
         saveRawlogs(output.folder, runs);
       }

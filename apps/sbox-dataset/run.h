@@ -6,6 +6,7 @@
 
 #include <mrpt/obs/CObservation2DRangeScan.h>
 
+#include <string>
 #include <vector>
 
 #include "sbox/mapping/map_key_frames.h"
@@ -19,6 +20,13 @@ struct RunStep {
 };
 
 using Run = std::vector<RunStep>;
+
+/// A run, and where it was.
+struct NamedRun {
+  std::string name;
+  std::string place;  ///< The building; runs of different places have nothing in common.
+  Run steps;
+};
 
 /// Every scan of the run at the robot's own pose.
 [[nodiscard]] KeyFrames keyFramesOf(const Run& run);

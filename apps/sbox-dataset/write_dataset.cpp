@@ -45,10 +45,18 @@ ordered_json pairEntry(const std::string& environment, const PairTruth& truth, c
   return pair;
 }
 
+/// Of maps that have nothing in common; with the fields of other pairs.
+ordered_json negativeEntry(const Map& map_a, const Map& map_b) {
+  return {{"env", "different"},         {"a", map_a.name}, {"b", map_b.name},
+          {"negative", true},           {"n", 0},          {"theta_deg", 0},
+          {"t_cells", {0, 0}},          {"rms_cells", 0},  {"pa", ordered_json::array()},
+          {"pb", ordered_json::array()}};
+}
+
 }  // namespace
 
-void writeDataset(const std::string& folder, const std::string& environment,
-                  const std::vector<NamedRun>& runs, const MappingOptions& mapping) {
+void writeDataset(const std::string& folder, const std::vector<NamedRun>& runs,
+                  const MappingOptions& mapping) {
   std::vector<Map> maps;
   for (const NamedRun& run : runs) {
     maps.push_back(mapRun(run.name, run.steps, mapping));
@@ -59,9 +67,13 @@ void writeDataset(const std::string& folder, const std::string& environment,
   ordered_json document = {{"resolution", mapping.resolution}, {"pairs", ordered_json::array()}};
   for (size_t a = 0; a < runs.size(); ++a) {
     for (size_t b = a + 1; b < runs.size(); ++b) {
+      if (runs[a].place != runs[b].place) {
+        document["pairs"].push_back(negativeEntry(maps[a], maps[b]));
+        continue;
+      }
       const auto truth = findTruth(runs[a].steps, runs[b].steps, maps[a], maps[b]);
       if (truth) {
-        document["pairs"].push_back(pairEntry(environment, *truth, maps[a], maps[b]));
+        document["pairs"].push_back(pairEntry(runs[a].place, *truth, maps[a], maps[b]));
       }
     }
   }

@@ -5,39 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <random>
-#include <utility>
 
-#include "sbox-dataset/drive.h"
-#include "sbox-dataset/office.h"
-#include "sbox-dataset/ranger.h"
-#include "sbox-dataset/route.h"
-#include "sbox-dataset/world_grid.h"
+#include "sbox-dataset/fleet.h"
 #include "sbox-scale/merge_run.h"
 #include "sbox/io/save_map.h"
 
 namespace sbox::scale {
 namespace {
-
-constexpr double kCell = 0.05;  ///< Of the simulated worlds and all maps, metres.
-
-/// A way through a run of neighbouring rooms, half to nearly all of them.
-dataset::Path randomTour(const dataset::RoutePlanner& planner, std::vector<Point2D> places,
-                         std::mt19937& random) {
-  std::sort(places.begin(), places.end(), [](const Point2D& left, const Point2D& right) {
-    return std::pair(left.x, left.y) < std::pair(right.x, right.y);
-  });
-  const double share = std::uniform_real_distribution<double>(0.5, 0.9)(random);
-  const double from = std::uniform_real_distribution<double>(0, 1 - share)(random);
-  const auto count = static_cast<double>(places.size());
-  const auto first = places.begin() + static_cast<std::ptrdiff_t>(from * count);
-  const auto last = places.begin() + static_cast<std::ptrdiff_t>((from + share) * count);
-  std::vector<Point2D> visited(first, last);
-  const double heading = std::uniform_real_distribution<double>(-M_PI, M_PI)(random);
-  const Pose2D start(visited.front().x, visited.front().y, heading);
-  visited.erase(visited.begin());
-  return planner.tour(start, visited);
-}
 
 /// How the poses of all pairs of maps that the report puts into one group compare with the truth.
 struct FleetScore {
@@ -56,14 +30,14 @@ FleetScore scoreFleet(const nlohmann::json& report, const std::vector<FleetMap>&
   FleetScore score;
   for (size_t a = 0; a < fleet.size(); ++a) {
     for (size_t b = a + 1; b < fleet.size(); ++b) {
-      const bool is_one_building = fleet[a].building == fleet[b].building;
+      const bool is_one_place = fleet[a].place == fleet[b].place;
       if (maps[a]["group"] != maps[b]["group"]) {
-        score.apart += is_one_building ? 1 : 0;
+        score.apart += is_one_place ? 1 : 0;
         continue;
       }
-      const Pose2D off = inverse(inverse(fleet[a].map_in_building) + fleet[b].map_in_building) +
+      const Pose2D off = inverse(inverse(fleet[a].map_in_place) + fleet[b].map_in_place) +
                          (inverse(poseOf(maps[a])) + poseOf(maps[b]));
-      const bool is_right = is_one_building && std::hypot(off.x, off.y) <= right_distance &&
+      const bool is_right = is_one_place && std::hypot(off.x, off.y) <= right_distance &&
                             std::abs(wrapAngle(off.phi)) <= right_turn;
       (is_right ? score.right : score.wrong) += 1;
     }
@@ -74,23 +48,17 @@ FleetScore scoreFleet(const nlohmann::json& report, const std::vector<FleetMap>&
 }  // namespace
 
 std::vector<FleetMap> makeFleet(int maps, const std::filesystem::path& folder) {
-  constexpr int robots = 5;
+  dataset::FleetOptions options;
+  options.buildings = (maps + options.robots - 1) / options.robots;
   std::vector<FleetMap> fleet;
-  for (int building = 0; building * robots < maps; ++building) {
-    const auto seed = static_cast<std::uint32_t>(building + 1);
-    const dataset::World world = dataset::randomOffice(seed);
-    const mrpt::maps::COccupancyGridMap2D grid = dataset::worldGrid(world, kCell);
-    const dataset::RoutePlanner planner(grid);
-    std::mt19937 random(seed);
-    for (int robot = 0; robot < robots && static_cast<int>(fleet.size()) < maps; ++robot) {
-      dataset::DriveOptions options;
-      options.seed = static_cast<std::uint32_t>(random());
-      const dataset::Path path = randomTour(planner, world.places, random);
-      const std::string file =
-          "b" + std::to_string(building) + "r" + std::to_string(robot) + ".gridmap";
-      saveMap(mapRun(file, drive(dataset::gridRanger(grid), path, options)), folder / file);
-      fleet.push_back({file, building, path.start_in_world});
+  for (const dataset::NamedRun& run : dataset::driveFleet(options)) {
+    if (static_cast<int>(fleet.size()) == maps) {
+      break;
     }
+    const std::string file = run.name + ".gridmap";
+    saveMap(mapRun(file, run.steps), folder / file);
+    const dataset::RunStep& start = run.steps.front();
+    fleet.push_back({file, run.place, start.pose_in_world + inverse(start.pose_in_map)});
   }
   return fleet;
 }

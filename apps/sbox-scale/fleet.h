@@ -14,13 +14,13 @@ namespace sbox::scale {
 
 /// What one robot mapped.
 struct FleetMap {
-  std::string file;        ///< Name of the .gridmap in the fleet's folder.
-  int building = 0;        ///< Where it was.
-  Pose2D map_in_building;  ///< Its frame.
+  std::string file;     ///< Name of the .gridmap in the fleet's folder.
+  std::string place;    ///< The building it was in.
+  Pose2D map_in_place;  ///< Its frame.
 };
 
-/// Sends five simulated robots into each of maps / 5 random offices, where each visits the rooms of
-/// some part, and writes their maps into the folder.
+/// The maps of so many simulated robots, five to a random office (sbox-dataset/fleet.h), written
+/// into the folder.
 [[nodiscard]] std::vector<FleetMap> makeFleet(int maps, const std::filesystem::path& folder);
 
 /// Prints what the columns of measureFleet() are.

@@ -92,10 +92,10 @@ TEST_CASE("the office is what the simulator makes of it", "[datasets]") {
   for (const std::string name : {"robot_a", "robot_b"}) {
     DriveOptions options;
     options.seed = 1 + static_cast<std::uint32_t>(runs.size());
-    runs.push_back({name, drive(world, loadPath(folder + name + ".path"), options)});
+    runs.push_back({name, "office", drive(world, loadPath(folder + name + ".path"), options)});
   }
   const ScratchFolder scratch;
-  writeDataset(scratch.path(""), "office", runs);
+  writeDataset(scratch.path(""), runs);
   const json pair = readPairs(scratch.path("")).at(0), committed = readPairs(folder).at(0);
   const Pose2D pose = readPose(pair.at("pose_b_in_a"));
   const Pose2D expected = readPose(committed.at("pose_b_in_a"));
