@@ -26,8 +26,8 @@ TEST_CASE("a fleet's robots of one building see common places, others never do",
   const ScratchFolder folder;
   writeDataset(folder.path(""), fleet);
   int common = 0, negative = 0;
-  for (const auto& pair :
-       nlohmann::json::parse(std::ifstream(folder.path("pairs.json"))).at("pairs")) {
+  const auto document = nlohmann::json::parse(std::ifstream(folder.path("pairs.json")));
+  for (const auto& pair : document.at("pairs")) {
     const bool is_one_building =
         pair.at("a").get<std::string>()[1] == pair.at("b").get<std::string>()[1];
     CHECK(is_one_building != pair.value("negative", false));
