@@ -21,8 +21,7 @@ using Curvature = Eigen::Matrix<double, kSize, kSize>;
 /// The choices of a pair, a column each, the last "none"; terms scaled to mean 0 and variance 1.
 struct Choices {
   Eigen::Matrix<double, kSize, Eigen::Dynamic> terms;
-  Eigen::ArrayXd losses;  ///< Of log odds, whatever the weights.
-  Eigen::ArrayXd right;   ///< 1 for choices that are right.
+  Eigen::ArrayXd right;  ///< 1 for choices that are right.
   double weight = 0;
 };
 
@@ -59,14 +58,15 @@ std::vector<Choices> makeChoices(const std::vector<VerdictSample>& samples, cons
     pairs_of_folder.resize(std::max(pairs_of_folder.size(), sample.folder + 1), 0.0);
     ++pairs_of_folder[sample.folder];
   }
-  const auto folders = static_cast<double>(std::count_if(
-      pairs_of_folder.begin(), pairs_of_folder.end(), [](double n) { return n > 0; }));
+  double all_weights = 0;
+  for (const VerdictSample& sample : samples) {
+    all_weights += sample.folder_weight / pairs_of_folder[sample.folder];
+  }
   std::vector<Choices> all;
   for (const VerdictSample& sample : samples) {
     Choices choices;
     const auto count = static_cast<Eigen::Index>(sample.terms.size());
     choices.terms.setZero(kSize, count + 1);
-    choices.losses.setZero(count + 1);
     choices.right.setZero(count + 1);
     for (Eigen::Index j = 0; j < count; ++j) {
       for (Eigen::Index k = 0; k + 1 < kSize; ++k) {
@@ -74,12 +74,11 @@ std::vector<Choices> makeChoices(const std::vector<VerdictSample>& samples, cons
             (sample.terms[static_cast<size_t>(j)][static_cast<size_t>(k)] - scale.mean(k)) /
             scale.deviation(k);
       }
-      choices.losses(j) = sample.losses[static_cast<size_t>(j)];
       choices.right(j) = sample.right[static_cast<size_t>(j)] ? 1 : 0;
     }
     choices.terms(kSize - 1, count) = 1;
     choices.right(count) = choices.right.sum() > 0 ? 0 : 1;
-    choices.weight = 1 / (pairs_of_folder[sample.folder] * folders);
+    choices.weight = sample.folder_weight / (pairs_of_folder[sample.folder] * all_weights);
     all.push_back(std::move(choices));
   }
   return all;
@@ -96,7 +95,7 @@ double evaluate(const std::vector<Choices>& all, const Weights& weights, double 
     *curvature = Curvature((penalty.array() + 1e-9).matrix().asDiagonal());
   }
   for (const Choices& choices : all) {
-    const Eigen::ArrayXd scores = (choices.terms.transpose() * weights).array() - choices.losses;
+    const Eigen::ArrayXd scores = (choices.terms.transpose() * weights).array();
     const Eigen::ArrayXd shares = (scores - scores.maxCoeff()).exp();
     const double total = shares.sum(), right = (shares * choices.right).sum();
     loss += choices.weight * (std::log(total) - std::log(right));
@@ -114,7 +113,8 @@ double evaluate(const std::vector<Choices>& all, const Weights& weights, double 
 
 }  // namespace
 
-std::vector<VerdictSample> collectSamples(const LoadedFolder& loaded, size_t folder, int threads) {
+std::vector<VerdictSample> collectSamples(const LoadedFolder& loaded, size_t folder,
+                                          double folder_weight, int threads) {
   const PairOptions options;
   std::vector<MapFeatures> features(loaded.maps.size());
   parallelFor(static_cast<int>(features.size()), threads, [&](int i) {
@@ -127,6 +127,7 @@ std::vector<VerdictSample> collectSamples(const LoadedFolder& loaded, size_t fol
     const auto a = static_cast<size_t>(loaded.map_of_pair[k].first);
     const auto b = static_cast<size_t>(loaded.map_of_pair[k].second);
     samples[k].folder = folder;
+    samples[k].folder_weight = folder_weight;
     PairSeconds seconds;
     for (const Fit& fit : findFits(features[a], features[b], options, seconds)) {
       const Pose2D pose = framePose(features[a], features[b], fit.b_in_a);
@@ -134,7 +135,6 @@ std::vector<VerdictSample> collectSamples(const LoadedFolder& loaded, size_t fol
           loaded.folder.pairs[k], loaded.folder.resolution,
           cornerTransform(pose, loaded.maps[a].corner_in_map, loaded.maps[b].corner_in_map));
       samples[k].terms.push_back(verdictTerms(fit));
-      samples[k].losses.push_back(bendLoss(fit));
       samples[k].right.push_back(error && error->right);
     }
   });
@@ -175,7 +175,7 @@ std::vector<double> probabilities(const VerdictSample& sample, const VerdictMode
   std::vector<double> odds;
   double highest = model.none;
   for (size_t fit = 0; fit < sample.terms.size(); ++fit) {
-    double sum = -sample.losses[fit];
+    double sum = 0;
     for (size_t i = 0; i < kVerdictTerms; ++i) {
       sum += model.weights[i] * sample.terms[fit][i];
     }

@@ -18,18 +18,18 @@ namespace sbox::bench {
 /// One pair of maps: its fits, and which of them are right (none for maps without common place).
 struct VerdictSample {
   size_t folder = 0;
+  double folder_weight = 1;  ///< Of the folder, which all its pairs share.
   std::vector<std::array<double, kVerdictTerms>> terms;
-  std::vector<double> losses;  ///< Of log odds, of each fit: what is not fitted; see bendLoss().
   std::vector<bool> right;
 };
 
 /// The fits of every pair of a folder, with the default options. `folder`: its number.
 [[nodiscard]] std::vector<VerdictSample> collectSamples(const LoadedFolder& loaded, size_t folder,
-                                                        int threads);
+                                                        double folder_weight, int threads);
 
-/// The most likely model. Every folder counts the same, however many pairs it has; `ridge` keeps
-/// weights (of terms scaled to unit variance) small.
-[[nodiscard]] VerdictModel fitModel(const std::vector<VerdictSample>& samples, double ridge = 3e-3);
+/// The most likely model. Folders count by their weights, however many pairs they have; `ridge`
+/// keeps weights (of terms scaled to unit variance) small.
+[[nodiscard]] VerdictModel fitModel(const std::vector<VerdictSample>& samples, double ridge = 2e-4);
 
 /// Probability of each fit of a sample.
 [[nodiscard]] std::vector<double> probabilities(const VerdictSample& sample,

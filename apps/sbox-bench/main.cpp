@@ -8,6 +8,7 @@
 #include <exception>
 #include <filesystem>
 #include <opencv2/core.hpp>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,7 @@ struct Arguments {
   bool no_seconds = false;
   bool ratios = false;
   bool fit_verdict = false;
+  std::vector<double> weights;
   bool sets = false;
   bool refinement = false;
   std::string answers_file;
@@ -69,6 +71,10 @@ void addOptions(CLI::App& app, Arguments& arguments) {
                "Also time load, save and draw alone, and print times as ratios to them");
   app.add_flag("--fit-verdict", arguments.fit_verdict,
                "Fit the weights of the default method's verdict to the pairs and cross-validate");
+  app.add_option("--weights", arguments.weights,
+                 "Of the folders in that fit, in their order (default 1 each): folders that are\n"
+                 "cuts of the same maps share one")
+      ->check(CLI::NonNegativeNumber);
   app.add_flag("--refinement", arguments.refinement,
                "Compare the ways of refining the transform by their error over the floor");
   app.add_flag(
@@ -118,8 +124,9 @@ void printFit(const std::vector<LoadedFolder>& folders, const Arguments& argumen
   std::vector<VerdictSample> samples;
   std::vector<std::string> names;
   for (const LoadedFolder& folder : folders) {
+    const double weight = arguments.weights.empty() ? 1 : arguments.weights.at(names.size());
     const std::vector<VerdictSample> found =
-        collectSamples(folder, names.size(), arguments.run.threads);
+        collectSamples(folder, names.size(), weight, arguments.run.threads);
     samples.insert(samples.end(), found.begin(), found.end());
     names.push_back(folder.folder.name);
   }
@@ -133,6 +140,9 @@ void printFit(const std::vector<LoadedFolder>& folders, const Arguments& argumen
 }
 
 void run(const Arguments& arguments) {
+  if (!arguments.weights.empty() && arguments.weights.size() != arguments.folders.size()) {
+    throw std::runtime_error("--weights needs one number for each folder");
+  }
   if (arguments.sets) {
     std::vector<PairFolder> pair_folders;
     for (const std::string& folder : arguments.folders) {

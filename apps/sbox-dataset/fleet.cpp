@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -19,8 +20,9 @@ namespace {
 
 constexpr double kCell = 0.05;  ///< Of the grids that robots plan in and see, metres.
 
-/// A way through neighbouring rooms, half to nearly all of them.
-Path randomTour(const RoutePlanner& planner, std::vector<Point2D> places, std::mt19937& random) {
+/// A way through neighbouring rooms, half to nearly all of them; without points if furniture
+/// encloses the start.
+Path drawTour(const RoutePlanner& planner, std::vector<Point2D> places, std::mt19937& random) {
   std::sort(places.begin(), places.end(), [](const Point2D& left, const Point2D& right) {
     return std::pair(left.x, left.y) < std::pair(right.x, right.y);
   });
@@ -34,6 +36,19 @@ Path randomTour(const RoutePlanner& planner, std::vector<Point2D> places, std::m
   const Pose2D start(visited.front().x, visited.front().y, heading);
   visited.erase(visited.begin());
   return planner.tour(start, visited);
+}
+
+/// A tour that leads somewhere.
+Path randomTour(const RoutePlanner& planner, const std::vector<Point2D>& places,
+                std::mt19937& random) {
+  constexpr int most_draws = 100;
+  for (int draw = 0; draw < most_draws; ++draw) {
+    Path path = drawTour(planner, places, random);
+    if (!path.points_in_world.empty()) {
+      return path;
+    }
+  }
+  throw std::runtime_error("an office has no room that a robot can leave");
 }
 
 }  // namespace

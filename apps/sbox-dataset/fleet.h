@@ -19,7 +19,7 @@ struct FleetOptions {
 };
 
 /// Drives all robots: those of the first building first. Maps are called "b0r0", "b0r1", ... and
-/// places "b0", ...
+/// places "b0", ... Throws std::runtime_error if furniture bars all ways in an office.
 [[nodiscard]] std::vector<NamedRun> driveFleet(const FleetOptions& options);
 
 }  // namespace sbox::dataset

@@ -20,7 +20,6 @@ std::vector<VerdictSample> drawnBy(const VerdictModel& model, size_t count) {
   for (size_t i = 0; i < count; ++i) {
     samples[i].folder = i % 2;
     samples[i].terms.resize(4);
-    samples[i].losses.assign(4, 0);
     samples[i].right.assign(4, false);
     for (auto& terms : samples[i].terms) {
       for (double& term : terms) {
@@ -39,7 +38,7 @@ std::vector<VerdictSample> drawnBy(const VerdictModel& model, size_t count) {
 
 VerdictModel knownModel() {
   VerdictModel model;
-  model.weights = {2, 1, -1, -0.5, 0, 0.5, 0, 1.5, -0.7, 0.3};
+  model.weights = {2, 1, -1, -0.5, 0, 0.5, 0, 1.5, -0.7, 0.3, -1};
   model.none = 1;
   return model;
 }
@@ -63,6 +62,24 @@ TEST_CASE("a ridge makes weights smaller, and no right fit makes \"none\" likely
   }
   const std::vector<double> p = probabilities(never[0], fitModel(never));
   CHECK(p[0] + p[1] + p[2] + p[3] < 0.05);
+}
+
+TEST_CASE("a folder that weighs nothing changes no model") {
+  const std::vector<VerdictSample> half = drawnBy(knownModel(), 200);
+  std::vector<VerdictSample> even, weighed;
+  for (VerdictSample sample : half) {
+    if (sample.folder == 0) {
+      even.push_back(sample);
+    } else {
+      sample.right.assign(4, false);
+      sample.folder_weight = 0;
+    }
+    weighed.push_back(sample);
+  }
+  const VerdictModel expected = fitModel(even), model = fitModel(weighed);
+  // Terms are scaled by all samples before the ridge is laid on them.
+  CHECK(model.none == Approx(expected.none).margin(0.05));
+  CHECK(model.weights[0] == Approx(expected.weights[0]).margin(0.05));
 }
 
 TEST_CASE("cross-validation counts each pair once") {

@@ -36,18 +36,15 @@ std::array<double, kVerdictTerms> verdictTerms(const Fit& fit) {
           std::log(bent.free_free / (bent.free + 1) + 0.02),
           std::log(fit.boxes + 1.0),
           std::log(static_cast<double>(fit.drift.displacements.size())),
-          std::log1p(rigid.conflict / (fit.drift.roughness() + least_drift))};
-}
-
-double bendLoss(const Fit& fit, const VerdictModel& model) {
-  return model.bend_cost * std::max(0.0, fit.bend_ratio - model.most_bend);
+          std::log1p(rigid.conflict / (fit.drift.roughness() + least_drift)),
+          fit.bend_ratio};
 }
 
 void judge(std::vector<Fit>& fits, const VerdictModel& model) {
   double highest = model.none;
   for (Fit& fit : fits) {
     const std::array<double, kVerdictTerms> terms = verdictTerms(fit);
-    fit.log_odds = -bendLoss(fit, model);
+    fit.log_odds = 0;
     for (size_t i = 0; i < kVerdictTerms; ++i) {
       fit.log_odds += model.weights[i] * terms[i];
     }

@@ -14,14 +14,15 @@
 namespace sbox {
 
 /// Number of terms of the model.
-constexpr size_t kVerdictTerms = 10;
+constexpr size_t kVerdictTerms = 11;
 
 /// What the log odds of a fit are made of, in the order of VerdictModel::weights: share of the
 /// walls in common that agree; log of the agreeing wall (metres) across the others; root of the
 /// wall in conflict (metres); conflict per shared area, rigid and bent; root and log share of the
 /// shared free area (square metres); log of the boxes that agree; log of the nodes of the drift
 /// field; log of the rigid conflict over the drift's roughness, as it tells more where nothing is
-/// bent. All but the rigid conflict with the drift taken out.
+/// bent; how bent the maps are against each other over how bent each is (Fit::bend_ratio). All but
+/// the rigid conflict with the drift taken out.
 [[nodiscard]] std::array<double, kVerdictTerms> verdictTerms(const Fit& fit);
 
 /// Agreeing wall that fixes the shift in the direction that is fixed least, metres.
@@ -30,18 +31,10 @@ constexpr size_t kVerdictTerms = 10;
 /// Weights found by maximum likelihood: `sbox-bench FOLDERS --fit-verdict` prints them.
 struct VerdictModel {
   /// Of the terms, in their order.
-  std::array<double, kVerdictTerms> weights = {12.807, 1.4967, -0.29974, -7.2549,  -4.4351,
-                                               0.2057, 1.2746, 0.47928,  -0.48878, -0.56704};
-  double none = 6.4887;  ///< Log odds of "none of the fits is right".
-  /// Log odds lost for each unit by which Fit::bend_ratio exceeds `most_bend`. Not fitted: of 240
-  /// right fits of real pairs none had more than 1.41, of wrong ones of clean maps most have
-  /// above 3.
-  double bend_cost = 4;
-  double most_bend = 2;  ///< See bend_cost.
+  std::array<double, kVerdictTerms> weights = {10.247, 3.642, -0.971, -3.474, -5.967, 0.49,
+                                               0.772,  0.755, -0.617, -1.001, -2.454};
+  double none = 9.386;  ///< Log odds of "none of the fits is right".
 };
-
-/// Log odds that a fit loses, as more bent than its maps can be.
-[[nodiscard]] double bendLoss(const Fit& fit, const VerdictModel& model = {});
 
 /// Sets log_odds and probability of each fit, and sorts them, the most probable first.
 void judge(std::vector<Fit>& fits, const VerdictModel& model = {});
