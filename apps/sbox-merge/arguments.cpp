@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdint>
+#include <cstdio>
 #include <iostream>
 #include <map>
 
@@ -30,6 +31,7 @@ constexpr const char* footer =
 struct Texts {
   std::string config;
   std::string initial;
+  std::string pairs;
   std::string method;
   std::string fusion;
   std::string slam;
@@ -127,6 +129,13 @@ void addChoices(CLI::App& app, Arguments& arguments, Texts& texts) {
   app.add_option("--slam-config", texts.slam_config,
                  "Settings as MRPT's icp-slam or rbpf-slam read them (default: built in)")
       ->type_name("FILE.ini");
+  app.add_option("--pairs", texts.pairs,
+                 "Match only share K of N of the pairs and write them to --report; nothing is\n"
+                 "merged. For other machines to match the other shares of the same maps")
+      ->type_name("K/N");
+  app.add_option("--join", arguments.joined,
+                 "Merge by what all N shares of --pairs found, instead of matching")
+      ->type_name("FILE");
   app.add_option("--config", texts.config,
                  "Options of every stage, all optional; see --dump-config")
       ->type_name("FILE.ini");
@@ -137,7 +146,37 @@ void addChoices(CLI::App& app, Arguments& arguments, Texts& texts) {
       ->type_name("N");
 }
 
+PairShare shareFrom(const std::string& text) {
+  PairShare share;
+  int length = 0;
+  constexpr int most = 1000000;
+  if (std::sscanf(text.c_str(), "%7d/%7d%n", &share.number, &share.count, &length) != 2 ||
+      static_cast<size_t>(length) != text.size() || share.number < 1 ||
+      share.number > share.count || share.count > most) {
+    throw UsageError("--pairs must be K/N with K from 1 to N, not " + text);
+  }
+  return share;
+}
+
+void checkShare(const Arguments& arguments) {
+  if (arguments.report.empty()) {
+    throw UsageError("--pairs needs a --report to write to");
+  }
+  if (!arguments.joined.empty()) {
+    throw UsageError("--pairs and --join exclude each other");
+  }
+  for (const std::string& file :
+       {arguments.html, arguments.pictures, arguments.tf, arguments.graph, arguments.simplemap}) {
+    if (!file.empty()) {
+      throw UsageError("--pairs merges nothing, so that there is no " + file + " to write");
+    }
+  }
+}
+
 void check(const Arguments& arguments) {
+  if (arguments.share) {
+    checkShare(arguments);
+  }
   const auto count = static_cast<int>(arguments.inputs.size());
   if (count < 2) {
     throw UsageError("--in needs two maps or more");
@@ -204,6 +243,9 @@ std::optional<Arguments> parseArguments(int argc, const char* const* argv) {
     arguments.slam.settings.assign(bytes.begin(), bytes.end());
   }
   if (!arguments.dump_config) {
+    if (!texts.pairs.empty()) {
+      arguments.share = shareFrom(texts.pairs);
+    }
     check(arguments);
     if (!texts.initial.empty()) {
       arguments.merge.initial = loadInitialGuesses(texts.initial, arguments.inputs);

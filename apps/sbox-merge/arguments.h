@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sbox/match_share.h"
 #include "sbox/merge.h"
 #include "sbox/slam/run_slam.h"
 
@@ -22,6 +23,8 @@ struct Arguments {
   std::string html;                  ///< Empty: none.
   std::string tf;                    ///< Empty: none.
   std::string graph;                 ///< Empty: none.
+  std::optional<PairShare> share;    ///< Match only these pairs and write them as the report.
+  std::vector<std::string> joined;   ///< Reports of all shares, instead of matching.
   std::optional<double> resolution;  ///< Of plain images, metres a cell.
   MergeOptions merge;                ///< With what --config and the other options say.
   SlamOptions slam;                  ///< For rawlogs.

@@ -10,6 +10,8 @@
 #include "sbox-merge/progress_line.h"
 #include "sbox-merge/write_outputs.h"
 #include "sbox/config/config_file.h"
+#include "sbox/io/file_error.h"
+#include "sbox/io/share_file.h"
 #include "sbox/merge.h"
 #include "sbox/report/summary.h"
 
@@ -36,6 +38,31 @@ void tellResult(const Arguments& arguments, const MergeResult& result,
   std::cout << std::flush;
 }
 
+void tellShare(const Arguments& arguments, const MatchedShare& share) {
+  if (!arguments.quiet) {
+    std::cout << arguments.report << ": " << share.pairs.size() << " pairs matched, share "
+              << share.share.number << " of " << share.share.count << "\n"
+              << std::flush;
+  }
+}
+
+/// What --join knows of the pairs; nothing without it.
+MatchStore joinedPairs(const Inputs& inputs, const Arguments& arguments,
+                       const ProgressFunction& tell) {
+  if (arguments.joined.empty()) {
+    return {};
+  }
+  std::vector<MatchedShare> shares;
+  for (const std::string& file : arguments.joined) {
+    shares.push_back(loadShare(file));
+  }
+  try {
+    return joinShares(inputs.maps, arguments.merge, shares, tell);
+  } catch (const ShareError& error) {
+    throw FileError(arguments.joined[error.index()], error.what());
+  }
+}
+
 }  // namespace
 
 int run(const Arguments& arguments) {
@@ -52,7 +79,15 @@ int run(const Arguments& arguments) {
   checkOutputs(arguments);
   const Inputs inputs = loadInputs(arguments, tell);
   const double load_seconds = stopwatch.seconds();
-  MergeResult result = mergeMaps(inputs.maps, arguments.merge, tell);
+  if (arguments.share) {
+    const MatchedShare share = matchShare(inputs.maps, arguments.merge, *arguments.share, tell);
+    writeShare(share, arguments);
+    line.wipe();
+    tellShare(arguments, share);
+    return 0;
+  }
+  MatchStore known = joinedPairs(inputs, arguments, tell);
+  MergeResult result = mergeMaps(inputs.maps, arguments.merge, known, tell);
   result.seconds.load = load_seconds;
   if (arguments.fuse_observations) {
     const Stopwatch remap_stopwatch;

@@ -13,6 +13,7 @@
 #include "sbox/io/output_files.h"
 #include "sbox/io/path_extension.h"
 #include "sbox/io/save_map.h"
+#include "sbox/io/share_file.h"
 #include "sbox/io/simplemap_file.h"
 #include "sbox/report/graph_text.h"
 #include "sbox/report/pictures.h"
@@ -106,6 +107,10 @@ class NewFolder {
 
 void checkOutputs(const Arguments& arguments) {
   OutputFiles trial;
+  if (arguments.share) {
+    (void)trial.stage(arguments.report);
+    return;
+  }
   (void)trial.stage(arguments.output);
   (void)trial.stage(pictureBeside(arguments.output));
   for (const std::string& file :
@@ -186,6 +191,13 @@ std::vector<std::string> writeOutputs(const Inputs& inputs, const Arguments& arg
     folder->keep();
   }
   return map_files;
+}
+
+void writeShare(const MatchedShare& share, const Arguments& arguments) {
+  OutputFiles files;
+  stageText(files, arguments.report, shareJson(share, arguments.inputs));
+  checkInterrupt();
+  files.commit();
 }
 
 }  // namespace sbox::app

@@ -22,4 +22,7 @@ std::vector<std::string> writeOutputs(const Inputs& inputs, const Arguments& arg
                                       MergeResult& result, double seconds_before,
                                       const ProgressFunction& tell);
 
+/// Writes what --pairs found as the report, whole or not at all. Throws FileError.
+void writeShare(const MatchedShare& share, const Arguments& arguments);
+
 }  // namespace sbox::app

@@ -15,12 +15,14 @@ const MapFeatures* boxFeatures(const MatchStore& store, int map) {
   return std::get_if<MapFeatures>(&*store.features[static_cast<size_t>(map)]);
 }
 
-/// How alike all maps look, by pair in ascending order.
+/// How alike the maps of the share and all maps look, by pair in ascending order.
 std::vector<PairLikeness> compareAll(const MergeOptions& options, MatchStore& store,
-                                     const ProgressFunction& tell) {
+                                     const ProgressFunction& tell, const PairShare& share) {
   std::vector<PairLikeness> compared;
   for (const PairIndex& pair : allPairs(static_cast<int>(store.features.size()))) {
-    compared.push_back({pair, 0});
+    if (share.holds(pair.first) || share.holds(pair.second)) {
+      compared.push_back({pair, 0});
+    }
   }
   std::vector<PairLikeness*> missing;
   for (PairLikeness& pair : compared) {
@@ -46,6 +48,17 @@ std::vector<PairLikeness> compareAll(const MergeOptions& options, MatchStore& st
   return compared;
 }
 
+/// Every so many of the pairs.
+std::vector<PairIndex> shareOf(const std::vector<PairIndex>& pairs, const PairShare& share) {
+  std::vector<PairIndex> held;
+  for (size_t i = 0; i < pairs.size(); ++i) {
+    if (share.holds(static_cast<int>(i))) {
+      held.push_back(pairs[i]);
+    }
+  }
+  return held;
+}
+
 }  // namespace
 
 void extractAll(const std::vector<Map>& maps, const MergeOptions& options, MatchStore& store,
@@ -69,15 +82,19 @@ void extractAll(const std::vector<Map>& maps, const MergeOptions& options, Match
 
 std::vector<PairIndex> pairsToMatch(const std::vector<Footprint>& footprints,
                                     const MergeOptions& options, MatchStore& store,
-                                    const ProgressFunction& tell) {
+                                    const ProgressFunction& tell, const PairShare& share) {
+  if (store.pairs) {
+    return *store.pairs;
+  }
   const auto count = static_cast<int>(footprints.size());
   const int partners = options.retrieval.partners;
   if (options.method != Method::Boxes || partners == 0 || count <= partners + 1) {
-    return allPairs(count);
+    return shareOf(allPairs(count), share);
   }
   const std::vector<PairIndex> alike =
-      choosePairs(count, compareAll(options, store, tell), partners);
-  const std::vector<PairIndex> guessed = pairsThatMayMeet(options.initial, footprints);
+      choosePairs(count, compareAll(options, store, tell, share), partners, share);
+  const std::vector<PairIndex> guessed =
+      shareOf(pairsThatMayMeet(options.initial, footprints), share);
   std::vector<PairIndex> pairs;
   std::set_union(alike.begin(), alike.end(), guessed.begin(), guessed.end(),
                  std::back_inserter(pairs));

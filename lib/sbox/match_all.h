@@ -19,6 +19,7 @@ namespace sbox {
 /// What is known of a set of maps before they are placed. Each step fills in what is missing, so
 /// that what stays the same is not done again.
 struct MatchStore {
+  std::optional<std::vector<PairIndex>> pairs;          ///< Worth matching, if known beforehand.
   std::vector<std::optional<MethodFeatures>> features;  ///< Of each map.
   std::map<PairIndex, double> likeness;                 ///< Of pairs that were compared.
   std::map<PairIndex, PairResult> results;              ///< Of pairs that were matched.
@@ -28,12 +29,13 @@ struct MatchStore {
 void extractAll(const std::vector<Map>& maps, const MergeOptions& options, MatchStore& store,
                 const ProgressFunction& tell = {});
 
-/// The pairs that are worth matching: all of few maps, and all by the published method; else those
-/// that choosePairs() takes by the maps' likeness, and those that initial guesses lay on each
-/// other. In ascending order. Needs the features of all maps.
+/// The pairs of the share that are worth matching: all of few maps, and all by the published
+/// method; else those that choosePairs() takes by the maps' likeness, and those that initial
+/// guesses lay on each other. In ascending order. Needs the features of all maps.
 [[nodiscard]] std::vector<PairIndex> pairsToMatch(const std::vector<Footprint>& footprints,
                                                   const MergeOptions& options, MatchStore& store,
-                                                  const ProgressFunction& tell = {});
+                                                  const ProgressFunction& tell = {},
+                                                  const PairShare& share = {});
 
 /// Matches those of the pairs that have no result. Needs the features of their maps.
 void matchPairs(const std::vector<PairIndex>& pairs, const MergeOptions& options, MatchStore& store,

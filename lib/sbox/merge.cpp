@@ -57,14 +57,6 @@ MapOutcome outcomeOf(const Map& map, const MapPlacement& placement, const Featur
   return outcome;
 }
 
-std::vector<Footprint> footprintsOf(const std::vector<Map>& maps, int threads) {
-  std::vector<Footprint> footprints(maps.size());
-  parallelFor(static_cast<int>(maps.size()), threads, [&](int i) {
-    footprints[static_cast<size_t>(i)] = footprintOf(maps[static_cast<size_t>(i)]);
-  });
-  return footprints;
-}
-
 /// Merged map of the largest group, and of the others if all are asked for.
 std::vector<MergedGroup> fuseGroups(const std::vector<Map>& maps, const PlacementResult& placed,
                                     const MergeOptions& options, const ProgressFunction& tell) {

@@ -159,6 +159,34 @@ TEST_CASE("the same maps give the same bytes on any number of threads") {
   }
 }
 
+TEST_CASE("shares of the pairs, matched apart and joined, give the same files") {
+  const Floors floors;
+  const Words in{"--in", "a.yaml", "b.yaml", "hall.gridmap"};
+  const auto run = [&](const Words& more) {
+    Words all = in;
+    all.insert(all.end(), more.begin(), more.end());
+    return floors.run(all);
+  };
+  CHECK(run({"--out", "alone.gridmap", "--html", "alone.html"}).exit_code == 3);
+  const Outcome first = run({"--pairs", "1/2", "--report", "1.json"});
+  CHECK(first.exit_code == 0);
+  CHECK(first.out == "1.json: 2 pairs matched, share 1 of 2\n");
+  CHECK(run({"--pairs", "2/2", "--report", "2.json"}).exit_code == 0);
+  const Words before = listing(floors.folder.path());
+  CHECK(std::find(before.begin(), before.end(), "merged.gridmap") == before.end());
+  CHECK(run({"--join", "2.json", "1.json", "--out", "joined.gridmap", "--html", "joined.html"})
+            .exit_code == 3);
+  CHECK(contents(floors.folder / "joined.gridmap") == contents(floors.folder / "alone.gridmap"));
+  const auto page = [&](const std::string& name) {
+    std::string text = contents(floors.folder / (name + ".html"));
+    for (size_t at = 0; (at = text.find(name + ".gridmap", at)) != std::string::npos;) {
+      text.replace(at, name.size(), "merged");
+    }
+    return text;
+  };
+  CHECK(page("joined") == page("alone"));
+}
+
 TEST_CASE("every kind of output is written, and pictures into a new folder") {
   const Floors floors;
   for (const char* name : {"m.gridmap.gz", "m.yaml"}) {

@@ -49,10 +49,10 @@ TEST_CASE("help and version go to stdout") {
   const Outcome help = runMerge(folder.path(), {"--help"});
   CHECK(help.exit_code == 0);
   CHECK(help.err.empty());
-  for (const char* option :
-       {"--in", "--out", "--report", "--pictures", "--html", "--tf", "--graph", "--initial",
-        "--reference", "--all-groups", "--method", "--fusion", "--config", "--threads",
-        "--resolution", "--quiet", "--verbose", "--version"}) {
+  for (const char* option : {"--in",     "--out",    "--report",  "--pictures",  "--html",
+                             "--tf",     "--graph",  "--initial", "--reference", "--all-groups",
+                             "--method", "--fusion", "--config",  "--threads",   "--resolution",
+                             "--pairs",  "--join",   "--quiet",   "--verbose",   "--version"}) {
     checkContains(help.out, option);
   }
   const Outcome version = runMerge(folder.path(), {"--version"});
@@ -83,6 +83,15 @@ TEST_CASE("wrong usage ends in 2 and says what is wrong") {
   checkFailure(folder, with({"--out", "m.jpg"}), 2, "--out must end in");
   checkFailure(folder, with({"--resolution", "0"}), 2, "--resolution must be");
   checkFailure(folder, with({"--resolution", "nan"}), 2, "--resolution must be");
+  for (const char* share : {"0/2", "3/2", "1", "1/2x", "-1/2", "1/99999999"}) {
+    checkFailure(folder, with({"--pairs", share, "--report", "r.json"}), 2,
+                 "--pairs must be K/N with K from 1 to N, not " + std::string(share));
+  }
+  checkFailure(folder, with({"--pairs", "1/2"}), 2, "--pairs needs a --report to write to");
+  checkFailure(folder, with({"--pairs", "1/2", "--report", "r.json", "--html", "p.html"}), 2,
+               "--pairs merges nothing, so that there is no p.html to write");
+  checkFailure(folder, with({"--pairs", "1/2", "--report", "r.json", "--join", "a.json"}), 2,
+               "--pairs and --join exclude each other");
 }
 
 TEST_CASE("a map that cannot be used ends in 1 and is named") {
@@ -109,6 +118,27 @@ TEST_CASE("a map that cannot be used ends in 1 and is named") {
   checkFailure(folder, with("dot.gridmap"), 1, "dot.gridmap: is too small to match");
   saveMap(office("a", 1), folder / "plain.png");
   checkFailure(folder, with("plain.png"), 1, "plain.png: ");
+}
+
+TEST_CASE("shares that cannot be joined end in 1 and are named") {
+  const ScratchFolder folder;
+  saveMap(office("a", 1), folder / "a.gridmap");
+  const Words in{"--in", "a.gridmap", "a.gridmap"};
+  const auto with = [&](const Words& more) {
+    Words all = in;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  const Words share = with({"--pairs", "1/2", "--report", "one.json", "-q"});
+  REQUIRE(runMerge(folder.path(), share).exit_code == 0);
+  checkFailure(folder, with({"--join", "none.json"}), 1, "none.json: ");
+  write(folder / "half.json", contents(folder / "one.json").substr(0, 200));
+  checkFailure(folder, with({"--join", "half.json"}), 1,
+               "half.json: is not what --pairs writes, or is damaged: make it anew");
+  checkFailure(folder, with({"--join", "one.json"}), 1,
+               "one.json: is of 2 shares, but share 2 is missing");
+  checkFailure(folder, with({"--join", "one.json", "one.json"}), 1,
+               "one.json: holds share 1/2, which another file holds, too");
 }
 
 TEST_CASE("an output that cannot be written ends in 1 and leaves the others unwritten") {

@@ -5,9 +5,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 #include <tuple>
+
+#include "sbox/core/digest.h"
 
 namespace sbox {
 namespace {
@@ -46,15 +47,11 @@ std::vector<Eigen::Vector2d> freePoints(const StateGrid& grid, double spacing) {
   return scattered(points);
 }
 
-/// FNV-1a over the cells' states, eight at a time.
 std::uint64_t digestOf(const StateGrid& grid) {
-  std::uint64_t digest = 14695981039346656037ULL + static_cast<std::uint64_t>(grid.width);
-  for (size_t i = 0; i < grid.cells.size(); i += sizeof(digest)) {
-    std::uint64_t block = 0;
-    std::memcpy(&block, grid.cells.data() + i, std::min(sizeof(block), grid.cells.size() - i));
-    digest = (digest ^ block) * 1099511628211ULL;
-  }
-  return digest;
+  return Digest()
+      .add(static_cast<std::uint64_t>(grid.width))
+      .add(grid.cells.data(), grid.cells.size())
+      .value();
 }
 
 Point2D toPoint(const Eigen::Vector2d& point) { return {point.x(), point.y()}; }

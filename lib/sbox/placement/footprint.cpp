@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sbox/core/parallel.h"
 #include "sbox/core/state_grid.h"
 
 namespace sbox {
@@ -72,6 +73,14 @@ Footprint footprintOf(const Map& map) {
   }
   footprint.radius = std::sqrt(squares / count);
   return footprint;
+}
+
+std::vector<Footprint> footprintsOf(const std::vector<Map>& maps, int threads) {
+  std::vector<Footprint> footprints(maps.size());
+  parallelFor(static_cast<int>(maps.size()), threads, [&](int i) {
+    footprints[static_cast<size_t>(i)] = footprintOf(maps[static_cast<size_t>(i)]);
+  });
+  return footprints;
 }
 
 std::vector<Point2D> commonPoints(const Footprint& a, const Footprint& b,

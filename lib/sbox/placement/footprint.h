@@ -28,6 +28,9 @@ struct Footprint {
 /// The footprint of a map, in at most 48 x 48 cells.
 [[nodiscard]] Footprint footprintOf(const Map& map);
 
+/// The footprints of all maps, on up to `threads` threads (0: one a core).
+[[nodiscard]] std::vector<Footprint> footprintsOf(const std::vector<Map>& maps, int threads);
+
 /// Known points of map b that map a knows too, in the frame of a.
 [[nodiscard]] std::vector<Point2D> commonPoints(const Footprint& a, const Footprint& b,
                                                 const Pose2D& pose_b_in_a);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "sbox/placement/join_evidence.h"
@@ -31,18 +32,29 @@ class Grower {
  public:
   Grower(const std::vector<Footprint>& maps, const std::vector<PairEvidence>& pairs,
          const GroupOptions& options)
-      : maps_(maps), pairs_(pairs), options_(options), pairs_of_(maps.size()) {
+      : maps_(maps),
+        pairs_(pairs),
+        options_(options),
+        pairs_of_(maps.size()),
+        partners_(maps.size()),
+        group_of_(maps.size()) {
     for (size_t i = 0; i < maps.size(); ++i) {
       groups_.push_back({{static_cast<int>(i)}, {Pose2D()}, {}, {}});
+      group_of_[i] = i;
     }
     for (size_t i = 0; i < pairs.size(); ++i) {
       if (!pairs[i].candidates.empty()) {
-        pairs_of_[static_cast<size_t>(pairs[i].a)].push_back(i);
+        const auto a = static_cast<size_t>(pairs[i].a), b = static_cast<size_t>(pairs[i].b);
+        pairs_of_[a].push_back(i);
+        partners_[a].push_back(b);
+        partners_[b].push_back(a);
       }
     }
     for (size_t first = 0; first < maps.size(); ++first) {
-      for (size_t second = first + 1; second < maps.size(); ++second) {
-        weigh(first, second);
+      for (const size_t second : groupsBeside(first)) {
+        if (first < second) {
+          weigh(first, second);
+        }
       }
     }
   }
@@ -91,6 +103,24 @@ class Grower {
     return crossing;
   }
 
+  /// Groups that some pair proposes to lay to this one.
+  std::set<size_t> groupsBeside(size_t number) const {
+    std::set<size_t> beside;
+    for (const int member : groups_[number].members) {
+      for (const size_t partner : partners_[static_cast<size_t>(member)]) {
+        beside.insert(group_of_[partner]);
+      }
+    }
+    beside.erase(number);
+    return beside;
+  }
+
+  void weighAllWith(size_t number) {
+    for (const size_t other : groupsBeside(number)) {
+      weigh(std::min(other, number), std::max(other, number));
+    }
+  }
+
   void weigh(size_t first, size_t second) {
     const std::optional<JoinEvidence> join =
         weighJoin(crossPairs(groups_[first], groups_[second]), maps_, options_.same_pose);
@@ -124,11 +154,10 @@ class Grower {
       const bool gone = it->first.first == groups.second || it->first.second == groups.second;
       it = gone ? joins_.erase(it) : std::next(it);
     }
-    for (size_t other = 0; other < groups_.size(); ++other) {
-      if (other != groups.first && !groups_[other].members.empty()) {
-        weigh(std::min(other, groups.first), std::max(other, groups.first));
-      }
+    for (const int member : groups_[groups.first].members) {
+      group_of_[static_cast<size_t>(member)] = groups.first;
     }
+    weighAllWith(groups.first);
     return true;
   }
 
@@ -175,11 +204,7 @@ class Grower {
       return false;
     }
     group = std::move(better);
-    for (size_t other = 0; other < groups_.size(); ++other) {
-      if (other != number && !groups_[other].members.empty()) {
-        weigh(std::min(other, number), std::max(other, number));
-      }
-    }
+    weighAllWith(number);
     return true;
   }
 
@@ -217,8 +242,11 @@ class Grower {
   const std::vector<PairEvidence>& pairs_;
   const GroupOptions& options_;
   std::vector<std::vector<size_t>> pairs_of_;  ///< Of each map a, with a candidate.
-  std::vector<SettledGroup> groups_;           ///< Empty where joined to an earlier one.
-  std::map<Groups, JoinEvidence> joins_;       ///< Those whose evidence suffices.
+  std::vector<std::vector<size_t>>
+      partners_;                          ///< Of each map: those of its pairs with a candidate.
+  std::vector<size_t> group_of_;          ///< The group of each map.
+  std::vector<SettledGroup> groups_;      ///< Empty where joined to an earlier one.
+  std::map<Groups, JoinEvidence> joins_;  ///< Those whose evidence suffices.
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "sbox/verification/plausibility.h"
 
@@ -21,7 +22,7 @@ std::vector<PairIndex> allPairs(int map_count) {
 }
 
 std::vector<PairIndex> choosePairs(int map_count, const std::vector<PairLikeness>& likeness,
-                                   int partners) {
+                                   int partners, const PairShare& share) {
   std::vector<std::vector<double>> of_map(static_cast<size_t>(map_count));
   for (const PairLikeness& pair : likeness) {
     if (std::isfinite(pair.likeness) && pair.likeness > kImplausible) {
@@ -33,7 +34,9 @@ std::vector<PairIndex> choosePairs(int map_count, const std::vector<PairLikeness
   std::vector<double> least(of_map.size(), kImplausible);
   for (size_t map = 0; map < of_map.size(); ++map) {
     std::vector<double>& known = of_map[map];
-    if (partners > 0 && known.size() > static_cast<size_t>(partners)) {
+    if (!share.holds(static_cast<int>(map))) {
+      least[map] = std::numeric_limits<double>::infinity();
+    } else if (partners > 0 && known.size() > static_cast<size_t>(partners)) {
       const auto last = known.begin() + (partners - 1);
       std::nth_element(known.begin(), last, known.end(), std::greater<>());
       least[map] = *last;

@@ -18,6 +18,16 @@ struct RetrievalOptions {
   LikenessOptions likeness;  ///< Which those are.
 };
 
+/// A part of the maps, or of the pairs, so that several machines can work side by side: every
+/// count-th by index, from number - 1.
+struct PairShare {
+  int number = 1;  ///< From 1 to count.
+  int count = 1;   ///< Of shares.
+
+  /// Whether the map or pair with this index, from 0, is in the share.
+  [[nodiscard]] bool holds(int index) const { return index % count == number - 1; }
+};
+
 /// How alike two maps look; see pairLikeness().
 struct PairLikeness {
   PairIndex maps;       ///< Which.
@@ -28,9 +38,10 @@ struct PairLikeness {
 [[nodiscard]] std::vector<PairIndex> allPairs(int map_count);
 
 /// The pairs that are among the `partners` most alike of one of their maps, as are those just as
-/// alike; further those of infinite likeness, and none that is implausible. In ascending order.
+/// alike; further those of infinite likeness, and none that is implausible. Only maps of the share
+/// choose, so that all shares together choose what one would. In ascending order.
 [[nodiscard]] std::vector<PairIndex> choosePairs(int map_count,
                                                  const std::vector<PairLikeness>& likeness,
-                                                 int partners);
+                                                 int partners, const PairShare& share = {});
 
 }  // namespace sbox
