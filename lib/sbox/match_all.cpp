@@ -3,6 +3,7 @@
 #include "sbox/match_all.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -46,6 +47,18 @@ std::vector<PairLikeness> compareAll(const MergeOptions& options, MatchStore& st
     store.likeness.emplace(pair->maps, pair->likeness);
   }
   return compared;
+}
+
+/// Where initial guesses put two maps, if both have one.
+std::optional<GuessedPoses> guessOf(const std::vector<const InitialGuess*>& guesses, int map_a,
+                                    int map_b) {
+  const InitialGuess* a = guesses[static_cast<size_t>(map_a)];
+  const InitialGuess* b = guesses[static_cast<size_t>(map_b)];
+  if (a == nullptr || b == nullptr) {
+    return std::nullopt;
+  }
+  return GuessedPoses{a->pose, b->pose, std::hypot(a->sigma_xy, b->sigma_xy),
+                      std::hypot(a->sigma_phi, b->sigma_phi)};
 }
 
 /// Every so many of the pairs.
@@ -108,12 +121,15 @@ void matchPairs(const std::vector<PairIndex>& pairs, const MergeOptions& options
                [&](const PairIndex& pair) { return store.results.count(pair) == 0; });
   const auto count = static_cast<int>(missing.size());
   std::vector<PairResult> results(missing.size());
+  const std::vector<const InitialGuess*> guesses =
+      guessOfEachMap(options.initial, store.features.size());
   StageProgress progress(tell, "pairs", count);
   parallelFor(count, options.threads, [&](int i) {
     progress.partBegins();
     const auto [a, b] = missing[static_cast<size_t>(i)];
-    results[static_cast<size_t>(i)] = matchMethodFeatures(
-        *store.features[static_cast<size_t>(a)], *store.features[static_cast<size_t>(b)], options);
+    results[static_cast<size_t>(i)] = matchMethodFeatures(*store.features[static_cast<size_t>(a)],
+                                                          *store.features[static_cast<size_t>(b)],
+                                                          options, guessOf(guesses, a, b));
     progress.partDone();
   });
   for (size_t i = 0; i < missing.size(); ++i) {

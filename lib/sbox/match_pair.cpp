@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "sbox/stopwatch.h"
 
@@ -41,7 +42,8 @@ std::string describeDifference(double metres) {
   return text;
 }
 
-PairResult matchInOrder(const MapFeatures& a, const MapFeatures& b, const PairOptions& options) {
+PairResult matchInOrder(const MapFeatures& a, const MapFeatures& b, const PairOptions& options,
+                        const std::optional<GuessedPoses>& guess) {
   PairResult result;
   if (a.empty() || b.empty()) {
     result.reason = a.empty() && b.empty()
@@ -49,7 +51,7 @@ PairResult matchInOrder(const MapFeatures& a, const MapFeatures& b, const PairOp
                         : "one of the maps has no wall with free space beside it";
     return result;
   }
-  std::vector<Fit> fits = findFits(a, b, options, result.seconds);
+  std::vector<Fit> fits = findFits(a, b, options, result.seconds, guess);
   if (fits.empty()) {
     result.reason = decide(fits, options.verdict).reason;
     return result;
@@ -123,35 +125,56 @@ Pose2D framePose(const MapFeatures& a, const MapFeatures& b, const RigidTransfor
 }
 
 std::vector<Fit> findFits(const MapFeatures& a, const MapFeatures& b, const PairOptions& options,
-                          PairSeconds& seconds) {
+                          PairSeconds& seconds, const std::optional<GuessedPoses>& guess) {
+  std::vector<Fit> fits;
+  // Fits of the hypotheses and of what was found before; whether they leave no doubt.
+  const auto isSure = [&](std::vector<Hypothesis> hypotheses) {
+    const Stopwatch stopwatch;
+    for (const Fit& fit : fits) {
+      hypotheses.push_back({fit.b_in_a, 0});
+    }
+    fits = rankHypotheses(a, b, hypotheses, options.ranking);
+    judge(fits);
+    seconds.verification += stopwatch.seconds();
+    return !fits.empty() && fits.front().probability >= options.sure;
+  };
   // Section 3.2, rough match and eq. 4: corners and boxes vote.
   Stopwatch stopwatch;
-  std::vector<Hypothesis> hypotheses = voteForTransforms(a, b, options.votes);
-  seconds.matching = stopwatch.seconds();
-  stopwatch = Stopwatch();
-  std::vector<Fit> fits = rankHypotheses(a, b, hypotheses, options.ranking);
-  judge(fits);
-  seconds.verification = stopwatch.seconds();
-  if (!fits.empty() && fits.front().probability >= options.sure) {
+  const std::vector<Hypothesis> votes = voteForTransforms(a, b, options.votes);
+  seconds.matching += stopwatch.seconds();
+  if (guess) {
+    stopwatch = Stopwatch();
+    std::vector<Hypothesis> near =
+        transformsNear(a, b, *guess, options.correlation.headings, options.guess);
+    const std::vector<Hypothesis> allowed = allowedBy(*guess, a, b, votes, options.guess);
+    near.insert(near.end(), allowed.begin(), allowed.end());
+    seconds.matching += stopwatch.seconds();
+    if (isSure(std::move(near))) {
+      return fits;
+    }
+  }
+  if (isSure(votes)) {
     return fits;
   }
   // What no corner or box proposes.
   stopwatch = Stopwatch();
-  hypotheses = searchByCorrelation(a, b, options.correlation);
+  std::vector<Hypothesis> searched = searchByCorrelation(a, b, options.correlation);
   seconds.matching += stopwatch.seconds();
-  stopwatch = Stopwatch();
-  for (const Fit& fit : fits) {
-    hypotheses.push_back({fit.b_in_a, 0});
-  }
-  fits = rankHypotheses(a, b, hypotheses, options.ranking);
-  judge(fits);
-  seconds.verification += stopwatch.seconds();
+  isSure(std::move(searched));
   return fits;
 }
 
-PairResult matchPair(const MapFeatures& a, const MapFeatures& b, const PairOptions& options) {
+PairResult matchPair(const MapFeatures& a, const MapFeatures& b, const PairOptions& options,
+                     const std::optional<GuessedPoses>& guess) {
   // Each pair is matched in one order, whichever way round it is given.
-  return comesFirst(b, a) ? exchanged(matchInOrder(b, a, options)) : matchInOrder(a, b, options);
+  if (!comesFirst(b, a)) {
+    return matchInOrder(a, b, options, guess);
+  }
+  std::optional<GuessedPoses> turned = guess;
+  if (turned) {
+    std::swap(turned->pose_a, turned->pose_b);
+  }
+  return exchanged(matchInOrder(b, a, options, turned));
 }
 
 }  // namespace sbox

@@ -4,10 +4,14 @@
 // The default method for two maps: corners and boxes propose transforms, the cells decide.
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "sbox/core/pair_result.h"
 #include "sbox/features/map_features.h"
 #include "sbox/matching/correlation_search.h"
 #include "sbox/matching/feature_votes.h"
+#include "sbox/matching/guessed_transforms.h"
 #include "sbox/matching/matched_boxes.h"
 #include "sbox/refinement/refine_pose.h"
 #include "sbox/verification/rank_hypotheses.h"
@@ -21,6 +25,7 @@ namespace sbox {
 struct PairOptions {
   FeatureOptions features;               ///< Of extractFeatures.
   VoteOptions votes;                     ///< Transforms that features propose.
+  GuessOptions guess;                    ///< Where to look first if somebody knows roughly.
   CorrelationSearchOptions correlation;  ///< The search where features propose nothing sure.
   double sure = 0.995;  ///< Probability from which the search ends with what the features proposed.
   RankingOptions ranking;  ///< Which transforms fit the cells.
@@ -29,18 +34,21 @@ struct PairOptions {
   RefineOptions refine;    ///< Kalman, Ceres and the pose that is reported.
 };
 
-/// All fits of two maps that were worth judging, the most probable first: those of the hypotheses
-/// that features propose and, unless these leave no doubt, of those that a full search finds.
+/// All fits of two maps that were worth judging, the most probable first: those near the guess, if
+/// there is one, then of all hypotheses that features propose, then of those that a full search
+/// finds; the search ends where it leaves no doubt.
 [[nodiscard]] std::vector<Fit> findFits(const MapFeatures& a, const MapFeatures& b,
-                                        const PairOptions& options, PairSeconds& seconds);
+                                        const PairOptions& options, PairSeconds& seconds,
+                                        const std::optional<GuessedPoses>& guess = {});
 
 /// The pose of the map frame of b in that of a, for a transform between the grid frames.
 [[nodiscard]] Pose2D framePose(const MapFeatures& a, const MapFeatures& b,
                                const RigidTransform& b_in_a);
 
 /// Matches two maps by their features. What can't be matched is refused; exchanging the maps gives
-/// the inverse, exactly.
+/// the inverse, exactly. A guess tells where to look first, not what to accept.
 [[nodiscard]] PairResult matchPair(const MapFeatures& a, const MapFeatures& b,
-                                   const PairOptions& options = {});
+                                   const PairOptions& options = {},
+                                   const std::optional<GuessedPoses>& guess = {});
 
 }  // namespace sbox

@@ -12,9 +12,10 @@ MethodFeatures extractMethodFeatures(const Map& map, const MergeOptions& options
 }
 
 PairResult matchMethodFeatures(const MethodFeatures& a, const MethodFeatures& b,
-                               const MergeOptions& options) {
+                               const MergeOptions& options,
+                               const std::optional<GuessedPoses>& guess) {
   if (const auto* of_a = std::get_if<MapFeatures>(&a)) {
-    return matchPair(*of_a, std::get<MapFeatures>(b), options.pair);
+    return matchPair(*of_a, std::get<MapFeatures>(b), options.pair, guess);
   }
   return matchPaper(std::get<PaperFeatures>(a), std::get<PaperFeatures>(b), options.paper);
 }

@@ -4,6 +4,7 @@
 // The two steps that every method has: features of a map, and matching two maps by them.
 #pragma once
 
+#include <optional>
 #include <variant>
 
 #include "sbox/core/feature_set.h"
@@ -18,10 +19,12 @@ using MethodFeatures = std::variant<MapFeatures, PaperFeatures>;
 /// Features by options.method.
 [[nodiscard]] MethodFeatures extractMethodFeatures(const Map& map, const MergeOptions& options);
 
-/// Matches two maps by the method that made their features. Throws std::bad_variant_access if these
+/// Matches two maps by the method that made their features; the published method takes no guess.
+/// Throws std::bad_variant_access if these
 /// were made by different methods.
 [[nodiscard]] PairResult matchMethodFeatures(const MethodFeatures& a, const MethodFeatures& b,
-                                             const MergeOptions& options);
+                                             const MergeOptions& options,
+                                             const std::optional<GuessedPoses>& guess = {});
 
 /// Lines, points and boxes, for reports and pictures.
 [[nodiscard]] const FeatureSet& featureSetOf(const MethodFeatures& features);

@@ -87,6 +87,13 @@ void describeMatching(PairOptions& options, OptionTable& table) {
   table.count("min_per_heading", options.votes.min_per_heading, {0, 100000},
               "Kept of each pair of frames and quarter turn");
 
+  table.section("matching.guess");
+  table.number("deviations", options.guess.deviations, {0.1, 100},
+               "Standard deviations from an initial guess, within which is searched first");
+  table.metres("spacing", options.guess.spacing, {0.05, 10}, "Between translations tried there");
+  table.count("most", options.guess.most, {1, 1000000},
+              "Translations tried at a heading; more spacing where they would be more");
+
   CorrelationSearchOptions& search = options.correlation;
   table.section("matching.search");
   table.number("sure", options.sure, {0, 1.01},

@@ -18,20 +18,6 @@ constexpr double kDrift = 0.5, kDriftTurn = 0.05;
 /// Probability from which a candidate counts as accepted once a guess has spoken.
 constexpr double kAcceptFrom = 0.7;
 
-/// The guess of each map, or null.
-std::vector<const InitialGuess*> guessOfEachMap(const std::vector<InitialGuess>& guesses,
-                                                size_t map_count) {
-  std::vector<const InitialGuess*> of_map(map_count, nullptr);
-  for (const InitialGuess& guess : guesses) {
-    if (guess.map < 0 || static_cast<size_t>(guess.map) >= map_count ||
-        of_map[static_cast<size_t>(guess.map)] != nullptr) {
-      throw std::invalid_argument("each guess must be of a map, and of each map once");
-    }
-    of_map[static_cast<size_t>(guess.map)] = &guess;
-  }
-  return of_map;
-}
-
 /// Standard deviation of where the middles of both maps lie to each other, and the distance at
 /// which the guesses put them, metres.
 struct MiddleGap {
@@ -67,6 +53,19 @@ double factorOf(const EdgeCandidate& candidate, const InitialGuess& a, const Ini
 }
 
 }  // namespace
+
+std::vector<const InitialGuess*> guessOfEachMap(const std::vector<InitialGuess>& guesses,
+                                                size_t map_count) {
+  std::vector<const InitialGuess*> of_map(map_count, nullptr);
+  for (const InitialGuess& guess : guesses) {
+    if (guess.map < 0 || static_cast<size_t>(guess.map) >= map_count ||
+        of_map[static_cast<size_t>(guess.map)] != nullptr) {
+      throw std::invalid_argument("each guess must be of a map, and of each map once");
+    }
+    of_map[static_cast<size_t>(guess.map)] = &guess;
+  }
+  return of_map;
+}
 
 std::vector<PairIndex> pairsThatMayMeet(const std::vector<InitialGuess>& guesses,
                                         const std::vector<Footprint>& maps) {

@@ -20,13 +20,18 @@ struct InitialGuess {
   double sigma_phi = 1;  ///< Standard deviation of the heading, radians; above 0.
 };
 
+/// The guess of each map, or null. Throws std::invalid_argument if a guess names a map that does
+/// not exist, or one that has a guess already.
+[[nodiscard]] std::vector<const InitialGuess*> guessOfEachMap(
+    const std::vector<InitialGuess>& guesses, size_t map_count);
+
 /// The pairs of maps that their guesses lay so near to each other that they may overlap, in
-/// ascending order. Throws as weighByGuesses() does.
+/// ascending order. Throws as guessOfEachMap() does.
 [[nodiscard]] std::vector<PairIndex> pairsThatMayMeet(const std::vector<InitialGuess>& guesses,
                                                       const std::vector<Footprint>& maps);
 
-/// Weighs the candidates of all pairs of which both maps have a guess. Throws std::invalid_argument
-/// if a guess names a map that does not exist, or one that has a guess already.
+/// Weighs the candidates of all pairs of which both maps have a guess. Throws as guessOfEachMap()
+/// does.
 void weighByGuesses(const std::vector<InitialGuess>& guesses, const std::vector<Footprint>& maps,
                     std::vector<PairEvidence>& pairs);
 

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sbox/matching/guessed_transforms.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace sbox {
+namespace {
+
+/// A guess as the transform between grid frames, by where it puts the middle of map b.
+struct GuessedMiddle {
+  double heading = 0;
+  double turn = 0;  ///< How far off the heading may be, radians.
+  Eigen::Vector2d middle_b;
+  Eigen::Vector2d middle_in_a;
+  double distance = 0;  ///< How far off the middle may be, metres.
+};
+
+GuessedMiddle guessedMiddle(const MapFeatures& a, const MapFeatures& b, const GuessedPoses& guess,
+                            const GuessOptions& options) {
+  const Pose2D pose = inverse(guess.pose_a + a.grid_in_map) + guess.pose_b + b.grid_in_map;
+  GuessedMiddle middle;
+  middle.heading = wrapAngle(pose.phi);
+  middle.turn = options.deviations * guess.sigma_phi;
+  middle.middle_b = {b.width / 2, b.height / 2};
+  const Point2D in_a = pose.composePoint({middle.middle_b.x(), middle.middle_b.y()});
+  middle.middle_in_a = {in_a.x, in_a.y};
+  middle.distance = options.deviations * guess.sigma_xy;
+  return middle;
+}
+
+std::vector<double> headingsNear(const MapFeatures& a, const MapFeatures& b,
+                                 const GuessedMiddle& guess, const HeadingOptions& options) {
+  const double least = options.step * M_PI / 180;
+  std::vector<double> near;
+  for (const double heading : findHeadings(a, b, options)) {
+    if (std::abs(wrapAngle(heading - guess.heading)) <= std::max(guess.turn, least)) {
+      near.push_back(heading);
+    }
+  }
+  if (near.empty()) {
+    near.push_back(guess.heading);
+  }
+  return near;
+}
+
+}  // namespace
+
+std::vector<Hypothesis> transformsNear(const MapFeatures& a, const MapFeatures& b,
+                                       const GuessedPoses& guess, const HeadingOptions& headings,
+                                       const GuessOptions& options) {
+  const GuessedMiddle middle = guessedMiddle(a, b, guess, options);
+  const double side = std::sqrt(static_cast<double>(std::max(options.most, 1)));
+  const double spacing = std::max(options.spacing, 2 * middle.distance / side);
+  const int steps = static_cast<int>(middle.distance / spacing);
+  std::vector<Hypothesis> hypotheses;
+  for (const double heading : headingsNear(a, b, middle, headings)) {
+    const Eigen::Vector2d turned = Eigen::Rotation2Dd(heading) * middle.middle_b;
+    for (int row = -steps; row <= steps; ++row) {
+      for (int column = -steps; column <= steps; ++column) {
+        const Eigen::Vector2d offset(column * spacing, row * spacing);
+        hypotheses.push_back({{heading, middle.middle_in_a + offset - turned}, 0});
+      }
+    }
+  }
+  return hypotheses;
+}
+
+std::vector<Hypothesis> allowedBy(const GuessedPoses& guess, const MapFeatures& a,
+                                  const MapFeatures& b, const std::vector<Hypothesis>& hypotheses,
+                                  const GuessOptions& options) {
+  const GuessedMiddle middle = guessedMiddle(a, b, guess, options);
+  std::vector<Hypothesis> allowed;
+  std::copy_if(hypotheses.begin(), hypotheses.end(), std::back_inserter(allowed),
+               [&](const Hypothesis& hypothesis) {
+                 const RigidTransform& b_in_a = hypothesis.b_in_a;
+                 const Eigen::Vector2d off = b_in_a * middle.middle_b - middle.middle_in_a;
+                 return off.norm() <= middle.distance &&
+                        std::abs(wrapAngle(b_in_a.heading - middle.heading)) <= middle.turn;
+               });
+  return allowed;
+}
+
+}  // namespace sbox
