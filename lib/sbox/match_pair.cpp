@@ -128,12 +128,12 @@ std::vector<Fit> findFits(const MapFeatures& a, const MapFeatures& b, const Pair
                           PairSeconds& seconds, const std::optional<GuessedPoses>& guess) {
   std::vector<Fit> fits;
   // Fits of the hypotheses and of what was found before; whether they leave no doubt.
-  const auto isSure = [&](std::vector<Hypothesis> hypotheses) {
+  const auto isSure = [&](std::vector<Hypothesis> hypotheses, bool is_thorough = false) {
     const Stopwatch stopwatch;
     for (const Fit& fit : fits) {
       hypotheses.push_back({fit.b_in_a, 0});
     }
-    fits = rankHypotheses(a, b, hypotheses, options.ranking);
+    fits = rankHypotheses(a, b, hypotheses, options.ranking, is_thorough);
     judge(fits);
     seconds.verification += stopwatch.seconds();
     return !fits.empty() && fits.front().probability >= options.sure;
@@ -160,7 +160,7 @@ std::vector<Fit> findFits(const MapFeatures& a, const MapFeatures& b, const Pair
   stopwatch = Stopwatch();
   std::vector<Hypothesis> searched = searchByCorrelation(a, b, options.correlation);
   seconds.matching += stopwatch.seconds();
-  isSure(std::move(searched));
+  isSure(std::move(searched), true);
   return fits;
 }
 

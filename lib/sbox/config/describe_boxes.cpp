@@ -148,6 +148,8 @@ void describeVerification(PairOptions& options, OptionTable& table) {
   table.number("same_turn", ranking.same_turn, {0, 90}, "Nearer answers are one, degrees");
   table.metres("alignment_kernel", ranking.alignment.kernel, {0.01, 10},
                "Scale of the robust kernel of the alignment");
+  table.metres("narrow_kernel", ranking.narrow_kernel, {0.01, 10},
+               "The same of a second alignment where the first leaves doubt");
   table.number("accept_from", options.verdict.accept_from, {0, 1},
                "Probability from which the best fit is accepted");
   table.number("rival_from", options.verdict.rival_from, {0, 1},

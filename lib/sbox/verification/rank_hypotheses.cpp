@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sbox/core/pose.h"
 #include "sbox/verification/plausibility.h"
 #include "sbox/verification/same_answer.h"
+#include "sbox/verification/verdict_model.h"
 
 namespace sbox {
 namespace {
@@ -24,11 +26,15 @@ void keepBest(std::vector<Ranked>& ranked, int count) {
   ranked.resize(std::min(ranked.size(), static_cast<size_t>(std::max(count, 0))));
 }
 
+double scoreOf(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a, int points,
+               const EvidenceWeights& weights) {
+  return plausibility(gatherEvidence(a, b, b_in_a, static_cast<size_t>(points), weights));
+}
+
 void score(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked>& ranked, int points,
            const EvidenceWeights& weights) {
   for (Ranked& candidate : ranked) {
-    candidate.score =
-        plausibility(gatherEvidence(a, b, candidate.b_in_a, static_cast<size_t>(points), weights));
+    candidate.score = scoreOf(a, b, candidate.b_in_a, points, weights);
   }
 }
 
@@ -59,6 +65,93 @@ double bendRatio(const MapFeatures& a, const MapFeatures& b, const DriftField& d
   return slope / std::max({a.slope_spread, b.slope_spread, least_slope});
 }
 
+/// How candidates are laid on the walls.
+enum class Alignment {
+  Wide,    ///< By a wide kernel, whatever becomes of the score: right where maps are bent.
+  Careful  ///< By a wide and a narrow kernel, and only where the score rises: right among clutter,
+           ///< where a wide kernel leads away from a good start.
+};
+
+void align(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked>& ranked,
+           const AlignmentOptions& wide, Alignment how, const RankingOptions& options,
+           const EvidenceWeights& weights) {
+  const int points = 2 * options.fine_points;
+  if (how == Alignment::Wide) {
+    for (Ranked& candidate : ranked) {
+      candidate.b_in_a = alignWalls(a, b, candidate.b_in_a, wide);
+    }
+    score(a, b, ranked, points, weights);
+    return;
+  }
+  AlignmentOptions narrow = wide;
+  narrow.kernel = options.narrow_kernel;
+  score(a, b, ranked, points, weights);
+  for (Ranked& candidate : ranked) {
+    const RigidTransform start = candidate.b_in_a;
+    for (const AlignmentOptions& alignment : {wide, narrow}) {
+      const RigidTransform aligned = alignWalls(a, b, start, alignment);
+      const double aligned_score = scoreOf(a, b, aligned, points, weights);
+      if (aligned_score > candidate.score) {
+        candidate = {aligned, aligned_score};
+      }
+    }
+  }
+}
+
+/// How far apart walls are, metres: free area over length of wall.
+double wallSpacing(const MapFeatures& a, const MapFeatures& b) {
+  double area = 0, wall = 0;
+  for (const MapFeatures* map : {&a, &b}) {
+    area += map->free_point_area * static_cast<double>(map->free_points.size());
+    wall += map->point_spacing * static_cast<double>(map->wall_points.size());
+  }
+  return area / std::max(wall, 1e-9);
+}
+
+/// All that the cells say of a transform.
+Fit fitOf(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
+          const RankingOptions& options, const EvidenceWeights& weights,
+          const EvidenceWeights& bent_weights) {
+  const auto points = static_cast<size_t>(options.bent_points);
+  Fit fit;
+  fit.b_in_a = b_in_a;
+  fit.evidence = gatherEvidence(a, b, b_in_a, points, weights);
+  fit.drift = estimateDrift(a, b, b_in_a, options.drift);
+  fit.bent_evidence = gatherEvidence(a, b, b_in_a, fit.drift, points, bent_weights);
+  fit.bend_ratio = bendRatio(a, b, fit.drift);
+  fit.boxes = static_cast<int>(matchBoxes(a, b, b_in_a, fit.drift, options.boxes).size());
+  fit.log_odds = logOdds(fit);
+  return fit;
+}
+
+/// Aligns the candidates, and adds those that are about as plausible as the best to the fits. Of
+/// one answer the likelier fit stays.
+void addFits(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked> ranked, Alignment how,
+             const RankingOptions& options, const EvidenceWeights& weights,
+             const EvidenceWeights& bent_weights, std::vector<Fit>& fits) {
+  const Eigen::Vector2d centre_b(b.width / 2, b.height / 2);
+  for (const AlignmentOptions& alignment : {options.first_alignment, options.alignment}) {
+    align(a, b, ranked, alignment, how, options, weights);
+    keepBest(ranked, options.aligned);
+    keepDistinct(ranked, options.kept, centre_b, options);
+  }
+  for (const Ranked& candidate : ranked) {
+    if (candidate.score <= kImplausible ||
+        candidate.score < ranked.front().score - options.kept_within) {
+      break;
+    }
+    Fit fit = fitOf(a, b, candidate.b_in_a, options, weights, bent_weights);
+    const auto same = std::find_if(fits.begin(), fits.end(), [&](const Fit& other) {
+      return distanceWhenBent(a, b, fit, other) < options.same_bent;
+    });
+    if (same == fits.end()) {
+      fits.push_back(std::move(fit));
+    } else if (how == Alignment::Careful && fit.log_odds > same->log_odds) {
+      *same = std::move(fit);
+    }
+  }
+}
+
 }  // namespace
 
 bool isSameAnswer(const RigidTransform& left, const RigidTransform& right,
@@ -69,8 +162,7 @@ bool isSameAnswer(const RigidTransform& left, const RigidTransform& right,
 
 std::vector<Fit> rankHypotheses(const MapFeatures& a, const MapFeatures& b,
                                 const std::vector<Hypothesis>& hypotheses,
-                                const RankingOptions& options) {
-  const Eigen::Vector2d centre_b(b.width / 2, b.height / 2);
+                                const RankingOptions& options, bool is_thorough) {
   std::vector<Ranked> ranked;
   ranked.reserve(hypotheses.size());
   for (const Hypothesis& hypothesis : hypotheses) {
@@ -83,38 +175,13 @@ std::vector<Fit> rankHypotheses(const MapFeatures& a, const MapFeatures& b,
   keepBest(ranked, options.coarse_kept);
   score(a, b, ranked, options.fine_points, weights);
   keepBest(ranked, options.coarse_kept);
-  keepDistinct(ranked, options.aligned, centre_b, options);
-  for (const AlignmentOptions& alignment : {options.first_alignment, options.alignment}) {
-    for (Ranked& candidate : ranked) {
-      candidate.b_in_a = alignWalls(a, b, candidate.b_in_a, alignment);
-    }
-    score(a, b, ranked, 2 * options.fine_points, weights);
-    keepBest(ranked, options.aligned);
-    keepDistinct(ranked, options.kept, centre_b, options);
-  }
+  keepDistinct(ranked, options.aligned, {b.width / 2, b.height / 2}, options);
 
   std::vector<Fit> fits;
-  for (const Ranked& candidate : ranked) {
-    if (candidate.score <= kImplausible ||
-        candidate.score < ranked.front().score - options.kept_within) {
-      break;
-    }
-    Fit fit;
-    fit.b_in_a = candidate.b_in_a;
-    fit.evidence =
-        gatherEvidence(a, b, fit.b_in_a, static_cast<size_t>(options.bent_points), weights);
-    fit.drift = estimateDrift(a, b, fit.b_in_a, options.drift);
-    fit.bent_evidence = gatherEvidence(a, b, fit.b_in_a, fit.drift,
-                                       static_cast<size_t>(options.bent_points), bent_weights);
-    const bool is_known = std::any_of(fits.begin(), fits.end(), [&](const Fit& other) {
-      return distanceWhenBent(a, b, fit, other) < options.same_bent;
-    });
-    if (is_known) {
-      continue;
-    }
-    fit.bend_ratio = bendRatio(a, b, fit.drift);
-    fit.boxes = static_cast<int>(matchBoxes(a, b, fit.b_in_a, fit.drift, options.boxes).size());
-    fits.push_back(std::move(fit));
+  addFits(a, b, ranked, Alignment::Wide, options, weights, bent_weights, fits);
+  // Where walls stand nearer than the wide kernel reaches.
+  if (is_thorough && wallSpacing(a, b) < options.alignment.kernel) {
+    addFits(a, b, std::move(ranked), Alignment::Careful, options, weights, bent_weights, fits);
   }
   return fits;
 }

@@ -35,14 +35,17 @@ struct RankingOptions {
   EvidenceOptions bent_evidence = {0.25, 0.08, 0.15, 0.45};  ///< With the drift taken out.
   AlignmentOptions first_alignment = {1.25, 10, 200};        ///< Of the best ones, coarsely ...
   AlignmentOptions alignment;                                ///< ... and of those that are kept.
-  DriftOptions drift;                                        ///< Of maps that are bent.
-  BoxMatchOptions boxes;                                     ///< Boxes that count as agreeing.
+  double narrow_kernel = 0.4;  ///< Of a second alignment where the first leaves doubt, metres.
+  DriftOptions drift;          ///< Of maps that are bent.
+  BoxMatchOptions boxes;       ///< Boxes that count as agreeing.
 };
 
-/// The best distinct fits, most plausible first. The order of the hypotheses matters only between
-/// equals.
+/// The best distinct fits, with their log odds; those of the usual alignment first, the most
+/// plausible of them before the others. If thorough, a second, more careful alignment is tried,
+/// too, where walls are dense. The order of the hypotheses matters only between equals.
 [[nodiscard]] std::vector<Fit> rankHypotheses(const MapFeatures& a, const MapFeatures& b,
                                               const std::vector<Hypothesis>& hypotheses,
-                                              const RankingOptions& options = {});
+                                              const RankingOptions& options = {},
+                                              bool is_thorough = false);
 
 }  // namespace sbox

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace sbox {
 namespace {
@@ -40,14 +41,15 @@ std::array<double, kVerdictTerms> verdictTerms(const Fit& fit) {
           fit.bend_ratio};
 }
 
+double logOdds(const Fit& fit, const VerdictModel& model) {
+  const std::array<double, kVerdictTerms> terms = verdictTerms(fit);
+  return std::inner_product(terms.begin(), terms.end(), model.weights.begin(), 0.0);
+}
+
 void judge(std::vector<Fit>& fits, const VerdictModel& model) {
   double highest = model.none;
   for (Fit& fit : fits) {
-    const std::array<double, kVerdictTerms> terms = verdictTerms(fit);
-    fit.log_odds = 0;
-    for (size_t i = 0; i < kVerdictTerms; ++i) {
-      fit.log_odds += model.weights[i] * terms[i];
-    }
+    fit.log_odds = logOdds(fit, model);
     highest = std::max(highest, fit.log_odds);
   }
   double sum = std::exp(model.none - highest);

@@ -36,6 +36,9 @@ struct VerdictModel {
   double none = 9.386;  ///< Log odds of "none of the fits is right".
 };
 
+/// Log odds that a fit is right, up to a constant.
+[[nodiscard]] double logOdds(const Fit& fit, const VerdictModel& model = {});
+
 /// Sets log_odds and probability of each fit, and sorts them, the most probable first.
 void judge(std::vector<Fit>& fits, const VerdictModel& model = {});
 
