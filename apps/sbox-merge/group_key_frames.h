@@ -2,16 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include "sbox-merge/arguments.h"
 #include "sbox-merge/load_inputs.h"
+#include "sbox/core/key_frame.h"
 #include "sbox/merge_result.h"
+#include "sbox/progress.h"
 
 namespace sbox::app {
 
-/// The key frames of a merged group's maps, in the frame of its reference.
-[[nodiscard]] KeyFrames groupKeyFrames(const Inputs& inputs, const MergeResult& result,
-                                       const MergedGroup& group);
+/// The key frames of each merged group's maps, in the frame of its reference.
+struct GroupKeyFrames {
+  std::vector<KeyFrames> groups;     ///< In the order of MergeResult::merged.
+  std::vector<std::string> details;  ///< What --verbose tells of them.
+};
 
-/// Makes the merged maps anew of all that was seen, in place of those joined by cells.
-void remapGroups(const Inputs& inputs, const Arguments& arguments, MergeResult& result);
+/// Of maps as they were placed.
+[[nodiscard]] GroupKeyFrames groupKeyFrames(const Inputs& inputs, const MergeResult& result);
+
+/// Makes the merged maps anew of all that was seen, in place of those joined by cells; the key
+/// frames are those of the new maps.
+[[nodiscard]] GroupKeyFrames remapGroups(const Inputs& inputs, const Arguments& arguments,
+                                         MergeResult& result, const ProgressFunction& tell);
 
 }  // namespace sbox::app

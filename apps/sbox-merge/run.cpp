@@ -18,8 +18,11 @@
 namespace sbox::app {
 namespace {
 
-void tellDetails(const MergeResult& result) {
+void tellDetails(const MergeResult& result, const GroupKeyFrames& key_frames) {
   for (const std::string& line : detailLines(result)) {
+    std::cerr << line << "\n";
+  }
+  for (const std::string& line : key_frames.details) {
     std::cerr << line << "\n";
   }
 }
@@ -89,16 +92,19 @@ int run(const Arguments& arguments) {
   MatchStore known = joinedPairs(inputs, arguments, tell);
   MergeResult result = mergeMaps(inputs.maps, arguments.merge, known, tell);
   result.seconds.load = load_seconds;
+  GroupKeyFrames key_frames;
   if (arguments.fuse_observations) {
     const Stopwatch remap_stopwatch;
-    remapGroups(inputs, arguments, result);
+    key_frames = remapGroups(inputs, arguments, result, tell);
     result.seconds.fusion += remap_stopwatch.seconds();
+  } else if (!arguments.simplemap.empty()) {
+    key_frames = groupKeyFrames(inputs, result);
   }
   const std::vector<std::string> files =
-      writeOutputs(inputs, arguments, result, stopwatch.seconds(), tell);
+      writeOutputs(inputs, key_frames.groups, arguments, result, stopwatch.seconds(), tell);
   line.wipe();
   if (arguments.verbose) {
-    tellDetails(result);
+    tellDetails(result, key_frames);
   }
   if (!arguments.quiet) {
     tellResult(arguments, result, files);

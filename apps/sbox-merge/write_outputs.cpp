@@ -4,7 +4,6 @@
 
 #include <filesystem>
 
-#include "sbox-merge/group_key_frames.h"
 #include "sbox-merge/interrupt.h"
 #include "sbox-merge/output_names.h"
 #include "sbox/core/parallel.h"
@@ -54,11 +53,11 @@ void stageKeyFrames(OutputFiles& files, const std::string& target, const KeyFram
   checkInterrupt();
 }
 
-void stageMergedKeyFrames(OutputFiles& files, const Inputs& inputs, const MergeResult& result,
-                          const std::string& output) {
+void stageMergedKeyFrames(OutputFiles& files, const std::vector<KeyFrames>& group_key_frames,
+                          const MergeResult& result, const std::string& output) {
   const std::vector<std::string> names = mergedFileNames(result, output);
   for (size_t i = 0; i < names.size(); ++i) {
-    stageKeyFrames(files, names[i], groupKeyFrames(inputs, result, result.merged[i]));
+    stageKeyFrames(files, names[i], group_key_frames[i]);
   }
 }
 
@@ -135,9 +134,10 @@ void checkOutputs(const Arguments& arguments) {
   }
 }
 
-std::vector<std::string> writeOutputs(const Inputs& inputs, const Arguments& arguments,
-                                      MergeResult& result, double seconds_before,
-                                      const ProgressFunction& tell) {
+std::vector<std::string> writeOutputs(const Inputs& inputs,
+                                      const std::vector<KeyFrames>& group_key_frames,
+                                      const Arguments& arguments, MergeResult& result,
+                                      double seconds_before, const ProgressFunction& tell) {
   const Stopwatch stopwatch;
   const std::vector<Map>& maps = inputs.maps;
   std::vector<std::string> map_files = mergedFileNames(result, arguments.output);
@@ -158,7 +158,7 @@ std::vector<std::string> writeOutputs(const Inputs& inputs, const Arguments& arg
   });
   stageSlamMaps(files, inputs, arguments);
   if (!arguments.simplemap.empty()) {
-    stageMergedKeyFrames(files, inputs, result, arguments.simplemap);
+    stageMergedKeyFrames(files, group_key_frames, result, arguments.simplemap);
   }
   if (folder) {
     for (const Picture& picture : drawPictures(maps, result, arguments.merge.threads, tell)) {

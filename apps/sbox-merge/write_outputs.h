@@ -15,12 +15,14 @@ namespace sbox::app {
 /// Throws FileError if it is plain now that an output cannot be written; writes nothing.
 void checkOutputs(const Arguments& arguments);
 
-/// Writes merged maps, pictures and report, all or none. `seconds_before` went by already; they and
-/// the time taken here are added to result.seconds.
-/// Returns the names of the merged maps, in the order of result.merged. Throws FileError.
-std::vector<std::string> writeOutputs(const Inputs& inputs, const Arguments& arguments,
-                                      MergeResult& result, double seconds_before,
-                                      const ProgressFunction& tell);
+/// Writes merged maps, pictures and report, all or none; `group_key_frames` are those of each
+/// merged map, where they are asked for. `seconds_before` went by already; they and the time taken
+/// here are added to result.seconds. Returns the names of the merged maps, in the order of
+/// result.merged. Throws FileError.
+std::vector<std::string> writeOutputs(const Inputs& inputs,
+                                      const std::vector<KeyFrames>& group_key_frames,
+                                      const Arguments& arguments, MergeResult& result,
+                                      double seconds_before, const ProgressFunction& tell);
 
 /// Writes what --pairs found as the report, whole or not at all. Throws FileError.
 void writeShare(const MatchedShare& share, const Arguments& arguments);

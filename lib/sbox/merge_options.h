@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "sbox/adjustment/adjust_key_frames.h"
 #include "sbox/fusion/fuse_maps.h"
 #include "sbox/mapping/map_key_frames.h"
 #include "sbox/match_pair.h"
@@ -29,6 +30,7 @@ struct MergeOptions {
   PlacementOptions placement;         ///< From pairs to groups.
   std::vector<InitialGuess> initial;  ///< Where some of the maps are thought to lie.
   MappingOptions mapping;        ///< For those who make the maps of scans; see map_key_frames.h.
+  AdjustmentOptions adjustment;  ///< For those who do so; see map_adjusted.h.
   FusionOptions fusion;          ///< Its `threads` is replaced by the one below.
   std::optional<int> reference;  ///< Index of the map whose frame the merged map takes, if it can.
   bool all_groups = false;       ///< Merge every group of two or more, not only the largest.

@@ -110,3 +110,29 @@ TEST_CASE("the solution of a random graph cannot be bettered by moving a node") 
   // The outlier has lost its weight.
   CHECK(solution.edge_weights[4] < 0.05);
 }
+
+TEST_CASE("a graph of more nodes than a dense matrix is used for comes out right") {
+  constexpr int count = 80;
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> off(-0.1, 0.1);
+  std::vector<Pose2D> truth, start;
+  std::vector<GraphEdge> edges;
+  for (int i = 0; i < count; ++i) {
+    const double turn = 2 * M_PI * i / count;
+    truth.emplace_back(10 * std::cos(turn), 10 * std::sin(turn), wrapAngle(turn));
+    start.push_back(truth.back() + (i == 3 ? Pose2D() : Pose2D(off(random), off(random), 0.05)));
+  }
+  for (int a = 0; a < count; ++a) {
+    for (const int step : {1, 7}) {
+      const int b = (a + step) % count;
+      const Pose2D b_in_a = inverse(truth[static_cast<size_t>(a)]) + truth[static_cast<size_t>(b)];
+      edges.push_back({a, b, b_in_a, spread(0.1, 0.02)});
+    }
+  }
+  edges.push_back({0, 40, {}, spread(0.1, 0.02)});  // wrong
+  const PoseGraphSolution solution = solvePoseGraph(start, 3, edges);
+  for (size_t i = 0; i < truth.size(); ++i) {
+    CHECK(std::hypot(solution.poses[i].x - truth[i].x, solution.poses[i].y - truth[i].y) < 0.02);
+  }
+  CHECK(solution.edge_weights.back() < 0.01);
+}

@@ -100,7 +100,8 @@ void putBack(std::vector<Pose2D>& poses, const std::vector<Pose2D>& before, size
 }  // namespace
 
 KeyFrames adjustKeyFrames(const std::vector<PlacedKeyFrames>& maps, size_t reference,
-                          const AdjustmentOptions& options, int threads) {
+                          const AdjustmentOptions& options, int threads,
+                          const ProgressFunction& progress) {
   if (reference >= maps.size()) {
     throw std::invalid_argument("the reference is none of the maps");
   }
@@ -124,10 +125,12 @@ KeyFrames adjustKeyFrames(const std::vector<PlacedKeyFrames>& maps, size_t refer
   std::vector<Pose2D> poses = before;
   PoseGraphOptions graph;
   graph.loss_scale = options.loss_scale;
+  StageProgress rounds(progress, "adjustment", options.rounds);
   for (int round = 0; round < options.rounds; ++round) {
     poses = solvePoseGraph(poses, static_cast<int>(first), edgesAt(poses, scene, options, threads),
                            graph)
                 .poses;
+    rounds.partDone();
   }
   putBack(poses, before, first, end);
   KeyFrames adjusted;

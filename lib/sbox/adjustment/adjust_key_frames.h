@@ -14,6 +14,7 @@
 #include "sbox/adjustment/scan_points.h"
 #include "sbox/core/key_frame.h"
 #include "sbox/fusion/join_key_frames.h"
+#include "sbox/progress.h"
 
 namespace sbox {
 
@@ -31,9 +32,11 @@ struct AdjustmentOptions {
 
 /// The key frames of all maps, map by map, in the frame of the reference, as joinKeyFrames gives
 /// them, but adjusted. The frame stays: the reference map's key frames do not move on average.
-/// Throws std::invalid_argument if a map's are missing. 0 threads: one a core; the same result with
-/// any number.
+/// About two seconds on one core for 1000 key frames, in proportion to their number. Throws
+/// std::invalid_argument if a map's are missing. 0 threads: one a core; the same result with any
+/// number.
 [[nodiscard]] KeyFrames adjustKeyFrames(const std::vector<PlacedKeyFrames>& maps, size_t reference,
-                                        const AdjustmentOptions& options = {}, int threads = 0);
+                                        const AdjustmentOptions& options = {}, int threads = 0,
+                                        const ProgressFunction& progress = {});
 
 }  // namespace sbox

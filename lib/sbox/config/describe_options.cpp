@@ -8,6 +8,32 @@
 #include "sbox/io/map_limits.h"
 
 namespace sbox {
+namespace {
+
+void describeAdjustment(AdjustmentOptions& options, OptionTable& table) {
+  table.section("adjustment");
+  table.count("rounds", options.rounds, {0, 100},
+              "Key frames are matched so often, each time from where they were moved to");
+  table.metres("radius", options.overlap.radius, {0, 1000},
+               "Key frames this near may have seen the same");
+  table.count("partners", options.overlap.partners, {0, 1000},
+              "Near key frames that each is matched with, at most");
+  table.number("least_overlap", options.match.least_overlap, {0, 1},
+               "Share of what two key frames saw that must match");
+  table.metres("gate", options.match.gate, {0, 100}, "Farther points do not match");
+  table.metres("kernel", options.match.kernel, {0.001, 100},
+               "Points that do not match this well count less");
+  table.metres("noise", options.match.noise, {0.001, 100}, "Standard deviation of a point");
+  table.metres("step_metres", options.step_metres, {0.001, 100},
+               "Standard deviation of SLAM from one key frame to the next ...");
+  table.number("step_share", options.step_share, {0, 10}, "... and what a metre between them adds");
+  table.degrees("step_turn", options.step_turn, {0.01, 180},
+                "Standard deviation of SLAM's heading from one key frame to the next");
+  table.number("loss_scale", options.loss_scale, {0.01, 1000},
+               "Of the graph's robust loss, in standard deviations of an edge");
+}
+
+}  // namespace
 
 OptionTable describeOptions(MergeOptions& options) {
   OptionTable table;
@@ -59,6 +85,8 @@ OptionTable describeOptions(MergeOptions& options) {
                 "Two headings of a map this near are one");
   table.number("loss_scale", options.placement.graph.loss_scale, {0.01, 1000},
                "Of the graph's robust loss, in standard deviations of an edge");
+
+  describeAdjustment(options.adjustment, table);
 
   table.section("fusion");
   table.choice<FusionRule>("rule", options.fusion.rule,

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "mapping/scanned_room.h"
+#include "sbox/fusion/join_key_frames.h"
+
+namespace sbox::test {
+
+/// Two robots that drive round one hall; the heading of each drifts its own way, and the map of the
+/// second is placed a little wrong.
+struct DriftedRobots {
+  Room hall{-6.02, 6.03, -4.01, 4.04};
+  KeyFrames of_a, of_b;
+  std::vector<Pose2D> truth;  ///< Of all key frames, in the frame of a.
+  Pose2D pose_b_in_a;         ///< As placed.
+
+  explicit DriftedRobots(double drift = 0.006, const Pose2D& misplaced = {0.1, -0.08, 0.02}) {
+    const std::vector<Pose2D> path_a = drive(0, 1), path_b = drive(2.5, -1);
+    of_a = keyFrames(path_a, drift);
+    of_b = keyFrames(path_b, -drift);
+    for (const std::vector<Pose2D>* path : {&path_a, &path_b}) {
+      for (const Pose2D& in_hall : *path) {
+        truth.push_back(inverse(path_a.front()) + in_hall);
+      }
+    }
+    pose_b_in_a = inverse(path_a.front()) + path_b.front() + misplaced;
+  }
+
+  [[nodiscard]] std::vector<PlacedKeyFrames> placed() const {
+    return {{&of_a, {}}, {&of_b, pose_b_in_a}};
+  }
+
+  /// Root mean square of how far the key frames lie from the truth, after the best rigid fit.
+  [[nodiscard]] double error(const KeyFrames& frames) const {
+    const size_t count = frames.size();
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero(), true_mean = Eigen::Vector2d::Zero();
+    for (size_t i = 0; i < count; ++i) {
+      mean += place(poseOf(frames[i])) / static_cast<double>(count);
+      true_mean += place(truth[i]) / static_cast<double>(count);
+    }
+    double sine = 0, cosine = 0;
+    for (size_t i = 0; i < count; ++i) {
+      const Eigen::Vector2d from = place(poseOf(frames[i])) - mean,
+                            to = place(truth[i]) - true_mean;
+      cosine += from.dot(to);
+      sine += from.x() * to.y() - from.y() * to.x();
+    }
+    const Pose2D turn(0, 0, std::atan2(sine, cosine));
+    double squares = 0;
+    for (size_t i = 0; i < count; ++i) {
+      const Eigen::Vector2d from = place(poseOf(frames[i])) - mean,
+                            to = place(truth[i]) - true_mean;
+      const Point2D turned = turn.composePoint(Point2D(from.x(), from.y()));
+      squares += (Eigen::Vector2d(turned.x, turned.y) - to).squaredNorm();
+    }
+    return std::sqrt(squares / static_cast<double>(count));
+  }
+
+ private:
+  static Eigen::Vector2d place(const Pose2D& pose) { return {pose.x, pose.y}; }
+
+  /// Once round an ellipse in the hall, from `from` on, in the direction of `side`.
+  static std::vector<Pose2D> drive(double from, double side) {
+    constexpr int count = 40;
+    std::vector<Pose2D> path;
+    for (int i = 0; i < count; ++i) {
+      const double turn = from + side * 2 * M_PI * i / count;
+      path.emplace_back(4 * std::cos(turn), 2.5 * std::sin(turn),
+                        std::atan2(side * 2.5 * std::cos(turn), -side * 4 * std::sin(turn)));
+    }
+    return path;
+  }
+
+  /// In the frame of the first, each heading off by `drift` more.
+  [[nodiscard]] KeyFrames keyFrames(const std::vector<Pose2D>& path, double drift) const {
+    KeyFrames frames;
+    Pose2D in_map;
+    for (size_t i = 0; i < path.size(); ++i) {
+      if (i > 0) {
+        in_map = in_map + (inverse(path[i - 1]) + path[i]) + Pose2D(0, 0, drift);
+      }
+      frames.push_back(keyFrame(hall, path[i], in_map));
+    }
+    return frames;
+  }
+};
+
+}  // namespace sbox::test
