@@ -34,6 +34,7 @@ check_packages=(
   doxygen
   libclang-rt-14-dev
   mrpt-apps
+  mrpt-common
 )
 
 fail() {
