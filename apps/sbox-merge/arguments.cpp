@@ -120,7 +120,8 @@ void addChoices(CLI::App& app, Arguments& arguments, Texts& texts) {
   app.add_option(
          "--fusion", texts.fusion,
          "How maps are joined: the paper's table, the sum of log-odds, or a new map of all\n"
-         "scans, which every map must hold (default logodds)")
+         "scans, which every map must hold and which are adjusted to each other first\n"
+         "(default logodds)")
       ->type_name("table|logodds|observations");
   app.add_option("--slam", texts.slam,
                  "How rawlogs are mapped, by MRPT: ICP-SLAM, or particles, which take longer\n"

@@ -40,7 +40,7 @@ TEST_CASE("of each passage the nearest key frame is a partner", "[adjustment]") 
 TEST_CASE("a key frame that looks the same way is nearer", "[adjustment]") {
   OverlapOptions options;
   options.partners = 1;
-  const std::vector<Pose2D> poses{{0, 0, 0}, {0.5, 0, 3}, {1, 0, 0}};
+  const std::vector<Pose2D> poses{{0, 0, 0}, {0.6, 0, 3}, {1, 0, 0}};
   const std::vector<FramePair> pairs = overlappingFrames(poses, {0, 1, 2}, options);
   CHECK(numbers(pairs) == std::vector<std::pair<int, int>>{{0, 2}, {1, 2}});
 }
