@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "adjustment/pose_error.h"
 #include "mapping/scanned_room.h"
 #include "sbox/fusion/join_key_frames.h"
 
@@ -34,35 +35,16 @@ struct DriftedRobots {
     return {{&of_a, {}}, {&of_b, pose_b_in_a}};
   }
 
-  /// Root mean square of how far the key frames lie from the truth, after the best rigid fit.
+  /// Of all key frames from the truth, after the best rigid fit; metres.
   [[nodiscard]] double error(const KeyFrames& frames) const {
-    const size_t count = frames.size();
-    Eigen::Vector2d mean = Eigen::Vector2d::Zero(), true_mean = Eigen::Vector2d::Zero();
-    for (size_t i = 0; i < count; ++i) {
-      mean += place(poseOf(frames[i])) / static_cast<double>(count);
-      true_mean += place(truth[i]) / static_cast<double>(count);
+    std::vector<Pose2D> poses;
+    for (const KeyFrame& frame : frames) {
+      poses.push_back(poseOf(frame));
     }
-    double sine = 0, cosine = 0;
-    for (size_t i = 0; i < count; ++i) {
-      const Eigen::Vector2d from = place(poseOf(frames[i])) - mean,
-                            to = place(truth[i]) - true_mean;
-      cosine += from.dot(to);
-      sine += from.x() * to.y() - from.y() * to.x();
-    }
-    const Pose2D turn(0, 0, std::atan2(sine, cosine));
-    double squares = 0;
-    for (size_t i = 0; i < count; ++i) {
-      const Eigen::Vector2d from = place(poseOf(frames[i])) - mean,
-                            to = place(truth[i]) - true_mean;
-      const Point2D turned = turn.composePoint(Point2D(from.x(), from.y()));
-      squares += (Eigen::Vector2d(turned.x, turned.y) - to).squaredNorm();
-    }
-    return std::sqrt(squares / static_cast<double>(count));
+    return poseError(poses, truth);
   }
 
  private:
-  static Eigen::Vector2d place(const Pose2D& pose) { return {pose.x, pose.y}; }
-
   /// Once round an ellipse in the hall, from `from` on, in the direction of `side`.
   static std::vector<Pose2D> drive(double from, double side) {
     constexpr int count = 40;

@@ -77,20 +77,22 @@ std::vector<GraphEdge> edgesAt(const std::vector<Pose2D>& poses, const Scene& sc
 /// Moves all poses so that those from `first` to `end` lie, on average, where they lay before.
 void putBack(std::vector<Pose2D>& poses, const std::vector<Pose2D>& before, size_t first,
              size_t end) {
-  const auto count = static_cast<Eigen::Index>(end - first);
-  Eigen::Matrix2Xd from(2, count), to(2, count);
+  const auto place = [](const Pose2D& pose) { return Eigen::Vector2d(pose.x, pose.y); };
+  Eigen::Vector2d mean = Eigen::Vector2d::Zero(), mean_before = Eigen::Vector2d::Zero();
+  for (size_t i = first; i < end; ++i) {
+    mean += place(poses[i]) / static_cast<double>(end - first);
+    mean_before += place(before[i]) / static_cast<double>(end - first);
+  }
+  // A radian of heading counts as a metre: a robot that stood still has no other.
   double sine = 0, cosine = 0;
   for (size_t i = first; i < end; ++i) {
-    const auto column = static_cast<Eigen::Index>(i - first);
-    from.col(column) << poses[i].x, poses[i].y;
-    to.col(column) << before[i].x, before[i].y;
-    sine += std::sin(before[i].phi - poses[i].phi);
-    cosine += std::cos(before[i].phi - poses[i].phi);
+    const Eigen::Vector2d from = place(poses[i]) - mean, to = place(before[i]) - mean_before;
+    const double turn = before[i].phi - poses[i].phi;
+    sine += from.x() * to.y() - from.y() * to.x() + std::sin(turn);
+    cosine += from.dot(to) + std::cos(turn);
   }
-  // Of the headings: a robot that stood still has no other.
   const double turn = std::atan2(sine, cosine);
-  const Eigen::Vector2d shift =
-      to.rowwise().mean() - Eigen::Rotation2Dd(turn) * from.rowwise().mean();
+  const Eigen::Vector2d shift = mean_before - Eigen::Rotation2Dd(turn) * mean;
   const Pose2D correction(shift.x(), shift.y(), turn);
   for (Pose2D& pose : poses) {
     pose = correction + pose;
