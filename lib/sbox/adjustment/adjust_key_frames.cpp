@@ -107,7 +107,7 @@ KeyFrames adjustKeyFrames(const std::vector<PlacedKeyFrames>& maps, size_t refer
   if (reference >= maps.size()) {
     throw std::invalid_argument("the reference is none of the maps");
   }
-  const KeyFrames frames = joinKeyFrames(maps);
+  KeyFrames frames = joinKeyFrames(maps);
   std::vector<int> map_of;
   std::vector<size_t> firsts;
   for (size_t i = 0; i < maps.size(); ++i) {
