@@ -26,7 +26,7 @@ awk '/^```/ { inside = substr($0, 4) == "bash"; next } inside && !/^apt-get/' \
   "$source/README.md" > commands.sh
 grep --quiet pf-localization commands.sh ||
   { echo "README.md does not show how to go on with pf-localization" >&2; exit 1; }
-PATH=$build/apps/sbox-merge:$build/apps/sbox-align:$PATH
+PATH=$build/apps/sbox-merge:$PATH
 bash -euo pipefail commands.sh < /dev/null > output.txt 2>&1 || { tail output.txt >&2; exit 1; }
 
 for file in merged.gridmap merged.simplemap merged_robot1.simplemap report.json; do
