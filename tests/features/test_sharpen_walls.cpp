@@ -1,6 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <random>
+#include <vector>
 
 #include "catch.h"
 #include "drawing.h"
@@ -37,6 +41,48 @@ Walls coarseWalls(const StateGrid& cells) {
 double fromSide(const Vector2d& p, const Vector2d& low, const Vector2d& high) {
   return std::min({std::abs(p.x() - low.x()), std::abs(p.x() - high.x()), std::abs(p.y() - low.y()),
                    std::abs(p.y() - high.y())});
+}
+
+/// Where free space ends on the line through `base`, step by step.
+std::optional<double> edgeOf(const StateGrid& cells, const Vector2d& base, const Vector2d& normal) {
+  const double reach = SharpenOptions().reach, step = cells.resolution / 4;
+  bool was_free = false;
+  for (double offset = reach; offset >= -reach; offset -= step) {
+    const Vector2d cell = (base + offset * normal) / cells.resolution;
+    const bool is_free = cells.at(static_cast<int>(std::floor(cell.x())),
+                                  static_cast<int>(std::floor(cell.y()))) == CellState::Free;
+    if (was_free && !is_free) {
+      return offset + step / 2;
+    }
+    was_free = is_free;
+  }
+  return std::nullopt;
+}
+
+/// The mean of the edges along the wall at a point, but for those far from their median.
+Vector2d sharpened(const StateGrid& cells, const WallPoint& point) {
+  const SharpenOptions options;
+  const Vector2d along(point.normal.y(), -point.normal.x());
+  std::vector<double> edges;
+  for (double place = -options.along; place <= options.along; place += 2 * cells.resolution) {
+    if (const auto edge = edgeOf(cells, point.position + place * along, point.normal)) {
+      edges.push_back(*edge);
+    }
+  }
+  if (edges.empty()) {
+    return point.position;
+  }
+  std::vector<double> sorted = edges;
+  std::sort(sorted.begin(), sorted.end());
+  const double median = sorted[sorted.size() / 2];
+  double sum = 0, count = 0;
+  for (const double edge : edges) {
+    if (std::abs(edge - median) <= std::max(options.outlier, 1.5 * cells.resolution)) {
+      sum += edge;
+      ++count;
+    }
+  }
+  return point.position + sum / count * point.normal;
 }
 
 }  // namespace
@@ -102,4 +148,31 @@ TEST_CASE("a wall without an edge within reach stays where it was", "[features]"
   CHECK(walls.lines[0].from == Vector2d(1, 1));
   CHECK(walls.lines[0].to == Vector2d(4, 1));
   CHECK(walls.points[0].position == Vector2d(2, 1));
+}
+
+TEST_CASE("edges are those that a walk in steps of a quarter cell finds", "[features]") {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> x(-0.2, 6.2), y(-0.2, 4.7), angle(0, 2 * M_PI);
+  StateGrid cells = test::freeGrid(120, 90, fine);
+  for (CellState& cell : cells.cells) {
+    cell = random() % 3 == 0 ? CellState::Occupied : CellState::Free;
+  }
+  Walls walls;
+  for (int i = 0; i < 4000; ++i) {
+    // Half of them square to the cells, and half of these on the cells' own edges.
+    const double facing = i % 2 == 0 ? angle(random) : std::round(angle(random)) * M_PI / 2;
+    const double grain = i % 4 == 1 ? fine : 1e-9;
+    const Vector2d place(std::round(x(random) / grain) * grain,
+                         std::round(y(random) / grain) * grain);
+    walls.points.push_back({place, {std::cos(facing), std::sin(facing)}});
+  }
+  const std::vector<WallPoint> before = walls.points;
+  sharpenWalls(cells, walls);
+  int moved = 0, wrong = 0;
+  for (size_t i = 0; i < before.size(); ++i) {
+    moved += walls.points[i].position != before[i].position ? 1 : 0;
+    wrong += walls.points[i].position == sharpened(cells, before[i]) ? 0 : 1;
+  }
+  CHECK(moved > 3000);
+  CHECK(wrong == 0);
 }

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
+
+#include "sbox/core/round.h"
 
 namespace sbox {
 namespace {
@@ -18,7 +21,12 @@ struct Edge {
 class EdgeFinder {
  public:
   EdgeFinder(const StateGrid& cells, const SharpenOptions& options)
-      : cells_(cells), options_(options) {}
+      : cells_(cells), options_(options) {
+    const double step = cells.resolution / kStepsPerCell;
+    for (double offset = options.reach; offset >= -options.reach; offset -= step) {
+      steps_.push_back(offset);
+    }
+  }
 
   /// The edges across the wall through `base`, at places `first` to `last` along it; those far from
   /// their median are left out.
@@ -37,19 +45,66 @@ class EdgeFinder {
   }
 
  private:
+  static constexpr size_t kStepsPerCell = 4;
+
+  struct Cell {
+    int x, y;
+  };
+
   /// Offset at which free space ends, coming from the free side.
   [[nodiscard]] std::optional<double> edgeAt(const Eigen::Vector2d& base,
                                              const Eigen::Vector2d& normal) const {
-    const double step = cells_.resolution / 4;
-    bool was_free = false;
-    for (double offset = options_.reach; offset >= -options_.reach; offset -= step) {
-      const Eigen::Vector2d cell = (base + offset * normal) / cells_.resolution;
-      const bool is_free = cells_.at(static_cast<int>(std::floor(cell.x())),
-                                     static_cast<int>(std::floor(cell.y()))) == CellState::Free;
-      if (was_free && !is_free) {
-        return offset + step / 2;
+    const auto place = [&](size_t step) {
+      return Eigen::Vector2d((base + steps_[step] * normal) / cells_.resolution);
+    };
+    const double margin = options_.reach + cells_.resolution;
+    if (base.x() > margin && base.x() < cells_.width * cells_.resolution - margin &&
+        base.y() > margin && base.y() < cells_.height * cells_.resolution - margin) {
+      // Most walls: within the grid, to round down is to cut off.
+      return firstEdge(
+          [&](size_t step) {
+            const Eigen::Vector2d cell = place(step);
+            return Cell{static_cast<int>(cell.x()), static_cast<int>(cell.y())};
+          },
+          [&](const Cell& cell) {
+            return cells_.cells[static_cast<size_t>(cell.y) * static_cast<size_t>(cells_.width) +
+                                static_cast<size_t>(cell.x)] == CellState::Free;
+          });
+    }
+    return firstEdge(
+        [&](size_t step) {
+          const Eigen::Vector2d cell = place(step);
+          return Cell{floorToInt(cell.x()), floorToInt(cell.y())};
+        },
+        [&](const Cell& cell) { return cells_.at(cell.x, cell.y) == CellState::Free; });
+  }
+
+  /// The first step whose cell is not free while that of the step before is, as an offset.
+  template <typename CellAt, typename IsFree>
+  [[nodiscard]] std::optional<double> firstEdge(const CellAt& cellAt, const IsFree& isFree) const {
+    if (steps_.empty()) {
+      return std::nullopt;
+    }
+    Cell cell = cellAt(0);
+    bool was_free = isFree(cell);
+    for (size_t step = 0; step + 1 < steps_.size();) {
+      const size_t next = std::min(step + kStepsPerCell, steps_.size() - 1);
+      const Cell next_cell = cellAt(next);
+      const bool next_free = isFree(next_cell);
+      // Of one cell, or of two that share a side, there is no third in between.
+      const bool no_other = std::abs(next_cell.x - cell.x) + std::abs(next_cell.y - cell.y) <= 1;
+      if (!no_other || (was_free && !next_free)) {
+        for (size_t i = step + 1; i <= next; ++i) {
+          const bool is_free = isFree(cellAt(i));
+          if (was_free && !is_free) {
+            return steps_[i] + 0.5 * cells_.resolution / kStepsPerCell;
+          }
+          was_free = is_free;
+        }
       }
-      was_free = is_free;
+      step = next;
+      cell = next_cell;
+      was_free = next_free;
     }
     return std::nullopt;
   }
@@ -73,6 +128,7 @@ class EdgeFinder {
 
   const StateGrid& cells_;
   const SharpenOptions& options_;
+  std::vector<double> steps_;  ///< Offsets that are looked at, from the free side on.
   std::vector<Edge> edges_;
   std::vector<double> offsets_;
 };
