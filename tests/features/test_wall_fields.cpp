@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
 #include <limits>
+#include <opencv2/imgproc.hpp>
 #include <random>
 
 #include "catch.h"
@@ -22,8 +23,7 @@ size_t indexOf(const WallFields& fields, int column, int row) {
 }
 
 double distanceIn(const WallFields& fields, size_t cell, size_t sector) {
-  const std::uint64_t byte = (fields.distances[cell] >> (8 * sector)) & 0xFF;
-  return static_cast<double>(byte) * WallFields::unit;
+  return fields.distances[sector][cell] * WallFields::unit;
 }
 
 /// Points anywhere near a grid of 8 m x 6 m whose normals are not at the edge of any sector.
@@ -50,9 +50,10 @@ TEST_CASE("directions in bytes wrap round, and fall into eight sectors", "[featu
   CHECK(toByteAngle(-M_PI / 2) == 192);
   CHECK(toByteAngle(5 * M_PI) == 128);
   CHECK(static_cast<ByteAngle>(toByteAngle(3.0) + toByteAngle(4.0)) == toByteAngle(7.0));
-  for (int sector = 0; sector < kSectors; ++sector) {
+  for (size_t sector = 0; sector < kSectors; ++sector) {
     for (const double off : {-22.0, 0.0, 21.0}) {
-      CHECK(sectorOf(toByteAngle((sector * 45 + off) * M_PI / 180)) == sector);
+      const double degrees = static_cast<double>(sector) * 45 + off;
+      CHECK(sectorOf(toByteAngle(degrees * M_PI / 180)) == sector);
     }
   }
 }
@@ -96,7 +97,7 @@ TEST_CASE("fields hold the nearest wall point that faces each way", "[features]"
           if (std::abs(nearest - 2) < 0.01) {
             continue;  // Just within reach or just not.
           }
-          const std::int32_t index = fields.nearest[cell * kSectors + sector];
+          const std::int32_t index = fields.nearest[sector][cell];
           if (nearest > 2) {
             ++without;
             wrong_distance += distanceIn(fields, cell, sector) > 2.545 ? 0 : 1;
@@ -157,13 +158,47 @@ TEST_CASE("depth in free space is the distance to what is not free", "[features]
   CHECK(wrong == 0);
 }
 
+TEST_CASE("depth that is worked out by bands is that of the whole grid", "[features]") {
+  // Walls so far apart that most of the free space is as deep as can be told, over three bands.
+  StateGrid grid = test::freeGrid(90, 1300, 0.1);
+  std::mt19937 random(3);
+  for (int i = 0; i < 60; ++i) {
+    grid.cells[random() % grid.cells.size()] = CellState::Occupied;
+  }
+  const WallFields fields = makeFields(grid, {});
+  cv::Mat free(grid.height + 2, grid.width + 2, CV_8U, cv::Scalar(0)), depth;
+  for (int y = 0; y < grid.height; ++y) {
+    for (int x = 0; x < grid.width; ++x) {
+      free.at<unsigned char>(y + 1, x + 1) = grid.at(x, y) == CellState::Free ? 255 : 0;
+    }
+  }
+  cv::distanceTransform(free, depth, cv::DIST_L2, 3);
+  int deepest = 0, wrong = 0;
+  for (int row = 0; row < fields.height; ++row) {
+    for (int column = 0; column < fields.width; ++column) {
+      const Vector2d place = centreOf(fields, column, row) / grid.resolution;
+      const int x = static_cast<int>(std::floor(place.x()));
+      const int y = static_cast<int>(std::floor(place.y()));
+      const bool inside = x >= 0 && y >= 0 && x < grid.width && y < grid.height;
+      const double metres =
+          inside ? static_cast<double>(depth.at<float>(y + 1, x + 1)) * grid.resolution : 0;
+      const double expected = std::min(255.0, std::round(metres / WallFields::unit));
+      const int found = fields.free_depth[indexOf(fields, column, row)];
+      deepest += found == 255 ? 1 : 0;
+      wrong += found == expected ? 0 : 1;
+    }
+  }
+  CHECK(deepest > 1000);
+  CHECK(wrong == 0);
+}
+
 TEST_CASE("fields reach beyond the grid, and there are none of nothing", "[features]") {
   const WallFields fields = makeFields(test::freeGrid(80, 60, 0.1), {{{0.1, 3}, {1, 0}}});
   const std::ptrdiff_t outside = fields.cellAt(-1.1, 3.1);
   REQUIRE(outside >= 0);
-  CHECK(fields.nearest[static_cast<size_t>(outside) * kSectors] == 0);
+  CHECK(fields.nearest[0][static_cast<size_t>(outside)] == 0);
   CHECK(fields.free_depth[static_cast<size_t>(outside)] == 0);
   const WallFields none = makeFields(StateGrid(), {});
   CHECK(none.cellAt(0, 0) == -1);
-  CHECK(none.distances.empty());
+  CHECK(none.distances[0].empty());
 }

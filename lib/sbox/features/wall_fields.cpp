@@ -7,43 +7,40 @@
 #include <opencv2/imgproc.hpp>
 #include <tuple>
 
+#include "sbox/core/round.h"
+
 namespace sbox {
 namespace {
 
-/// Squared distances to, and indices of, the nearest wall points of one sector.
-struct SectorField {
-  std::vector<float> squared;
-  std::vector<std::int32_t> index;
-};
-
-/// Sectors that a normal belongs to: its own, and a neighbour if it is near to that.
-std::vector<int> sectorsOf(const Eigen::Vector2d& normal, double overlap) {
+/// Calls take(sector) for each that a normal belongs to: its own, and a neighbour if it is near to
+/// that.
+template <typename Take>
+void forEachSector(const Eigen::Vector2d& normal, double overlap, const Take& take) {
   const double turns = std::atan2(normal.y(), normal.x()) / (M_PI / 4);
   const double nearest = std::round(turns), off = turns - nearest;
   const int own = (static_cast<int>(nearest) + kSectors) % kSectors;
-  std::vector<int> sectors{own};
+  take(static_cast<size_t>(own));
   if (0.5 - std::abs(off) <= overlap / 45) {
-    sectors.push_back((own + (off > 0 ? 1 : kSectors - 1)) % kSectors);
+    take(static_cast<size_t>((own + (off > 0 ? 1 : kSectors - 1)) % kSectors));
   }
-  return sectors;
 }
 
-/// Offers a wall point to all cells within reach.
+/// Offers a wall point to the cells within `radius` cells along rows and columns;
+/// `squared_distances` and `nearest` are of the points offered so far.
 void offer(const WallFields& fields, const Eigen::Vector2d& position, std::int32_t index,
-           double reach, SectorField& field) {
+           double radius, std::vector<float>& squared_distances,
+           std::vector<std::int32_t>& nearest) {
   const double column = (position.x() - fields.origin.x()) / fields.resolution - 0.5;
   const double row = (position.y() - fields.origin.y()) / fields.resolution - 0.5;
-  const double radius = reach / fields.resolution;
-  const int y_first = std::max(0, static_cast<int>(std::ceil(row - radius)));
-  const int y_last = std::min(fields.height - 1, static_cast<int>(std::floor(row + radius)));
+  const int x_first = std::max(0, ceilToInt(column - radius));
+  const int x_last = std::min(fields.width - 1, floorToInt(column + radius));
+  const int y_first = std::max(0, ceilToInt(row - radius));
+  const int y_last = std::min(fields.height - 1, floorToInt(row + radius));
   for (int y = y_first; y <= y_last; ++y) {
     const auto dy = static_cast<float>(y - row);
-    const double half = std::sqrt(std::max(0.0, radius * radius - static_cast<double>(dy) * dy));
-    const int x_first = std::max(0, static_cast<int>(std::ceil(column - half)));
-    const int x_last = std::min(fields.width - 1, static_cast<int>(std::floor(column + half)));
     const size_t row_start = static_cast<size_t>(y) * static_cast<size_t>(fields.width);
-    float* squared = field.squared.data() + row_start;
-    std::int32_t* indices = field.index.data() + row_start;
+    float* squared = squared_distances.data() + row_start;
+    std::int32_t* indices = nearest.data() + row_start;
     for (int x = x_first; x <= x_last; ++x) {
       const float dx = static_cast<float>(x) - static_cast<float>(column);
       const float d = dx * dx + dy * dy;
@@ -53,46 +50,88 @@ void offer(const WallFields& fields, const Eigen::Vector2d& position, std::int32
   }
 }
 
-/// The points' indices, cell row by cell row: they come scattered, but neighbours one after the
+/// A wall point on its way into the field of a sector.
+struct Offered {
+  double row;  ///< Of the field's cells.
+  Eigen::Vector2d position;
+  std::int32_t index;
+};
+
+/// The points that face each sector, row by row: they come scattered, but neighbours one after the
 /// other find their cells in the cache.
-std::vector<size_t> rowByRow(const std::vector<WallPoint>& points, double resolution) {
-  std::vector<std::tuple<double, double, size_t>> places;
-  places.reserve(points.size());
+std::array<std::vector<Offered>, kSectors> bySector(const std::vector<WallPoint>& points,
+                                                    double resolution, double overlap) {
+  std::array<std::vector<Offered>, kSectors> facing;
   for (size_t i = 0; i < points.size(); ++i) {
-    const Eigen::Vector2d& p = points[i].position;
-    places.emplace_back(std::floor(p.y() / resolution), p.x(), i);
+    const Eigen::Vector2d& position = points[i].position;
+    forEachSector(points[i].normal, overlap, [&](size_t sector) {
+      facing[sector].push_back(
+          {std::floor(position.y() / resolution), position, static_cast<std::int32_t>(i)});
+    });
   }
-  std::sort(places.begin(), places.end());
-  std::vector<size_t> indices;
-  indices.reserve(points.size());
-  for (const auto& place : places) {
-    indices.push_back(std::get<2>(place));
+  for (std::vector<Offered>& offered : facing) {
+    std::sort(offered.begin(), offered.end(), [](const Offered& left, const Offered& right) {
+      return std::make_tuple(left.row, left.position.x(), left.index) <
+             std::make_tuple(right.row, right.position.x(), right.index);
+    });
   }
-  return indices;
+  return facing;
 }
 
-void fillDepth(const StateGrid& grid, WallFields& fields) {
-  // A rim of one cell that is not free, so that the edge of the grid counts.
-  cv::Mat free(grid.height + 2, grid.width + 2, CV_8U, cv::Scalar(0));
-  for (int y = 0; y < grid.height; ++y) {
-    auto* pixel = free.ptr<unsigned char>(y + 1) + 1;
+/// Distances in cells from the cells of the rows `first` to `last` to the nearest cell there that
+/// is not free. Row -1 and the row above the grid, and column 0 and the last, are a rim that is not
+/// free, so that the edge of the grid counts.
+cv::Mat depthInRows(const StateGrid& grid, int first, int last) {
+  cv::Mat free(last - first + 1, grid.width + 2, CV_8U, cv::Scalar(0));
+  for (int y = std::max(first, 0); y <= std::min(last, grid.height - 1); ++y) {
+    auto* pixel = free.ptr<unsigned char>(y - first) + 1;
+    const CellState* cell =
+        grid.cells.data() + static_cast<size_t>(y) * static_cast<size_t>(grid.width);
     for (int x = 0; x < grid.width; ++x) {
-      pixel[x] = grid.at(x, y) == CellState::Free ? 255 : 0;
+      pixel[x] = cell[x] == CellState::Free ? 255 : 0;
     }
   }
   cv::Mat depth;
   cv::distanceTransform(free, depth, cv::DIST_L2, 3);
-  for (int y = 0; y < fields.height; ++y) {
-    for (int x = 0; x < fields.width; ++x) {
-      const double px = fields.origin.x() + (x + 0.5) * fields.resolution;
-      const double py = fields.origin.y() + (y + 0.5) * fields.resolution;
-      const int column = static_cast<int>(std::floor(px / grid.resolution)) + 1;
-      const int row = static_cast<int>(std::floor(py / grid.resolution)) + 1;
-      if (column > 0 && row > 0 && column <= grid.width && row <= grid.height) {
-        const double metres = static_cast<double>(depth.at<float>(row, column)) * grid.resolution;
-        fields.free_depth[static_cast<size_t>(y) * static_cast<size_t>(fields.width) +
-                          static_cast<size_t>(x)] =
-            static_cast<std::uint8_t>(std::min(255.0, std::round(metres / WallFields::unit)));
+  return depth;
+}
+
+/// Index of the grid's row or column that holds the centre of the i-th of the fields.
+int gridIndex(double origin, int i, const WallFields& fields, const StateGrid& grid) {
+  return floorToInt((origin + (i + 0.5) * fields.resolution) / grid.resolution);
+}
+
+void fillDepth(const StateGrid& grid, WallFields& fields) {
+  // Band by band, to need little memory at once: nothing further off than a margin matters.
+  constexpr int band = 512;
+  const int margin = ceilToInt(WallFields::far * WallFields::unit / grid.resolution) + 1;
+  std::vector<int> columns;
+  for (int x = 0; x < fields.width; ++x) {
+    columns.push_back(gridIndex(fields.origin.x(), x, fields, grid));
+  }
+  int y = 0;
+  for (int first = 0; first < grid.height; first += band) {
+    const int first_row = std::max(first - margin, -1);
+    const cv::Mat depth =
+        depthInRows(grid, first_row, std::min(first + band + margin, grid.height));
+    for (; y < fields.height; ++y) {
+      const int row = gridIndex(fields.origin.y(), y, fields, grid);
+      if (row < 0) {
+        continue;
+      }
+      if (row >= std::min(first + band, grid.height)) {
+        break;
+      }
+      const auto* distance = depth.ptr<float>(row - first_row) + 1;
+      std::uint8_t* field_row =
+          fields.free_depth.data() + static_cast<size_t>(y) * static_cast<size_t>(fields.width);
+      for (int x = 0; x < fields.width; ++x) {
+        const int column = columns[static_cast<size_t>(x)];
+        if (column >= 0 && column < grid.width) {
+          const double metres = static_cast<double>(distance[column]) * grid.resolution;
+          field_row[x] =
+              static_cast<std::uint8_t>(std::min(255.0, std::round(metres / WallFields::unit)));
+        }
       }
     }
   }
@@ -121,34 +160,29 @@ WallFields makeFields(const StateGrid& grid, const std::vector<WallPoint>& point
   fields.width = cells(grid.width);
   fields.height = cells(grid.height);
   const size_t count = static_cast<size_t>(fields.width) * static_cast<size_t>(fields.height);
-  fields.distances.assign(count, ~std::uint64_t{0});
-  fields.nearest.assign(count * kSectors, -1);
   fields.free_depth.assign(count, 0);
   fillDepth(grid, fields);
 
-  std::array<std::vector<std::int32_t>, kSectors> facing;
-  for (const size_t i : rowByRow(points, fields.resolution)) {
-    for (const int sector : sectorsOf(points[i].normal, options.sector_overlap)) {
-      facing[static_cast<size_t>(sector)].push_back(static_cast<std::int32_t>(i));
-    }
-  }
-  const float nothing = 1e9F;
-  SectorField field;
+  const auto facing = bySector(points, fields.resolution, options.sector_overlap);
+  const double radius = options.reach / fields.resolution;
+  // What lies further off is no nearer than nothing.
+  const auto nothing = static_cast<float>(radius * radius);
+  const auto to_units = static_cast<float>(fields.resolution / WallFields::unit);
+  std::vector<float> squared;
   for (size_t sector = 0; sector < kSectors; ++sector) {
-    field.squared.assign(count, nothing);
-    field.index.assign(count, -1);
-    for (const std::int32_t index : facing[sector]) {
-      offer(fields, points[static_cast<size_t>(index)].position, index, options.reach, field);
+    std::vector<std::int32_t>& nearest = fields.nearest[sector];
+    squared.assign(count, nothing);
+    nearest.assign(count, -1);
+    for (const Offered& point : facing[sector]) {
+      offer(fields, point.position, point.index, radius, squared, nearest);
     }
-    const auto to_units = static_cast<float>(fields.resolution / WallFields::unit);
+    std::vector<std::uint8_t>& distances = fields.distances[sector];
+    distances.assign(count, WallFields::far);
     for (size_t cell = 0; cell < count; ++cell) {
-      if (field.index[cell] < 0) {
-        continue;
+      if (nearest[cell] >= 0) {
+        distances[cell] =
+            static_cast<std::uint8_t>(std::min(255.F, std::sqrt(squared[cell]) * to_units + 0.5F));
       }
-      const float distance = std::min(255.F, std::sqrt(field.squared[cell]) * to_units + 0.5F);
-      // The byte is all ones so far.
-      fields.distances[cell] ^= (255 - static_cast<std::uint64_t>(distance)) << (8 * sector);
-      fields.nearest[cell * kSectors + sector] = field.index[cell];
     }
   }
   return fields;

@@ -29,7 +29,7 @@ constexpr int kSectors = 8;
 /// Directions in units of a 256th of a turn, so that sums wrap round by themselves.
 using ByteAngle = std::uint8_t;
 [[nodiscard]] ByteAngle toByteAngle(double radians);
-[[nodiscard]] inline int sectorOf(ByteAngle direction) {
+[[nodiscard]] inline size_t sectorOf(ByteAngle direction) {
   return static_cast<std::uint8_t>(direction + 16) >> 5;
 }
 
@@ -42,10 +42,11 @@ struct WallFields {
   int height = 0;          ///< Rows.
   double resolution = 0;   ///< Edge length of a cell, metres.
   Eigen::Vector2d origin;  ///< Corner of cell (0, 0) in the grid frame: the fields have a margin.
-  /// Byte s of a cell: distance from its centre to the nearest wall point that faces sector s.
-  std::vector<std::uint64_t> distances;
-  /// The index of that wall point, or -1; entry 8 * cell + s.
-  std::vector<std::int32_t> nearest;
+  /// By sector, then cell: distance from the cell's centre to the nearest wall point that faces the
+  /// sector. A map's walls face few ways, so that what is asked for often lies close together.
+  std::array<std::vector<std::uint8_t>, kSectors> distances;
+  /// The index of that wall point, or -1.
+  std::array<std::vector<std::int32_t>, kSectors> nearest;
   /// Distance to the nearest cell that is not free; 0 where the cell itself is not.
   std::vector<std::uint8_t> free_depth;
 

@@ -90,7 +90,7 @@ class Round {
   /// Pairs the walls of both maps under `b_in_a`; returns how many pairs there are.
   size_t addWalls(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
                   double reach, size_t most_points) {
-    const RigidTransform a_in_b = b_in_a.inverse();
+    const PointMover to_a(b_in_a), to_b(b_in_a.inverse());
     const ByteAngle byte_turn = toByteAngle(b_in_a.heading);
     const auto near = [&](const MapFeatures& map, const Eigen::Vector2d& p,
                           ByteAngle direction) -> const WallPoint* {
@@ -99,7 +99,7 @@ class Round {
         return nullptr;
       }
       const std::int32_t nearest =
-          map.fields.nearest[static_cast<size_t>(cell * kSectors + sectorOf(direction))];
+          map.fields.nearest[sectorOf(direction)][static_cast<size_t>(cell)];
       if (nearest < 0) {
         return nullptr;
       }
@@ -110,7 +110,7 @@ class Round {
     for (size_t i = 0; i < std::min(most_points, b.wall_points.size()); ++i) {
       const WallPoint& point = b.wall_points[i];
       const auto direction = static_cast<ByteAngle>(b.wall_directions[i] + byte_turn);
-      if (const WallPoint* line = near(a, b_in_a * point.position, direction)) {
+      if (const WallPoint* line = near(a, to_a(point.position), direction)) {
         add(createWallCost(point, *line, pivot_b_), &kernel_);
         ++pairs;
       }
@@ -118,7 +118,7 @@ class Round {
     for (size_t i = 0; i < std::min(most_points, a.wall_points.size()); ++i) {
       const WallPoint& point = a.wall_points[i];
       const auto direction = static_cast<ByteAngle>(a.wall_directions[i] - byte_turn);
-      if (const WallPoint* line = near(b, a_in_b * point.position, direction)) {
+      if (const WallPoint* line = near(b, to_b(point.position), direction)) {
         add(createLineCost(*line, point, pivot_b_), &kernel_);
         ++pairs;
       }

@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "sbox/features/field_lookup.h"
+
 namespace sbox {
 namespace {
 
@@ -30,6 +32,14 @@ Stencil stencilAt(const DriftField& field, const Eigen::Vector2d& point) {
   const int node = row * field.columns + column;
   return {{node, node + right, node + up, node + up + right},
           {(1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y}};
+}
+
+Eigen::Vector2d displacementAt(const DriftField& field, const Stencil& stencil) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (size_t i = 0; i < 4; ++i) {
+    sum += stencil.weights[i] * field.displacements[static_cast<size_t>(stencil.nodes[i])];
+  }
+  return sum;
 }
 
 DriftField latticeOver(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
@@ -80,16 +90,16 @@ class DriftEquations {
     }
   }
 
-  /// A wall at `place` should move by `offset` as far as the normal tells.
-  void add(const Eigen::Vector2d& place, const Eigen::Vector2d& offset,
-           const Eigen::Vector2d& normal, double weight) {
-    const Stencil stencil = stencilAt(field_, place);
+  /// A wall at the stencil's place should move by `offset` as far as the normal tells.
+  void add(const Stencil& stencil, const Eigen::Vector2d& offset, const Eigen::Vector2d& normal,
+           double weight) {
     const double residual = normal.dot(offset);
     for (size_t i = 0; i < 4; ++i) {
       const double wi = weight * stencil.weights[i];
       const int row = 2 * stencil.nodes[i];
       vector_.segment<2>(row) += wi * residual * normal;
-      for (size_t j = 0; j < 4; ++j) {
+      // Only the lower triangle is read; nodes ascend.
+      for (size_t j = 0; j <= i; ++j) {
         matrix_.block<2, 2>(row, 2 * stencil.nodes[j]) +=
             (wi * stencil.weights[j]) * normal * normal.transpose();
       }
@@ -131,12 +141,7 @@ double robustWeight(double squared_distance, double kernel) {
 }  // namespace
 
 Eigen::Vector2d DriftField::at(const Eigen::Vector2d& point) const {
-  const Stencil stencil = stencilAt(*this, point);
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  for (size_t i = 0; i < 4; ++i) {
-    sum += stencil.weights[i] * displacements[static_cast<size_t>(stencil.nodes[i])];
-  }
-  return sum;
+  return displacementAt(*this, stencilAt(*this, point));
 }
 
 double DriftField::roughness() const {
@@ -171,42 +176,46 @@ DriftField estimateDrift(const MapFeatures& a, const MapFeatures& b, const Rigid
            static_cast<double>(std::max<size_t>(count, 1));
   };
   const double length_a = length(a, count_a), length_b = length(b, count_b);
+  std::vector<Eigen::Vector2d> rigid_b(count_b);
+  std::vector<Stencil> stencils_b(count_b), stencils_a(count_a);
+  for (size_t i = 0; i < count_b; ++i) {
+    rigid_b[i] = to_a(b.wall_points[i].position);
+    stencils_b[i] = stencilAt(field, rigid_b[i]);
+  }
+  for (size_t i = 0; i < count_a; ++i) {
+    stencils_a[i] = stencilAt(field, a.wall_points[i].position);
+  }
   for (int round = 0; round < options.rounds; ++round) {
     const double share = options.rounds > 1 ? round / static_cast<double>(options.rounds - 1) : 1;
     const double kernel =
         options.first_kernel * std::pow(options.last_kernel / options.first_kernel, share);
     DriftEquations equations(field, options);
-    for (size_t i = 0; i < count_b; ++i) {
-      const Eigen::Vector2d rigid = to_a(b.wall_points[i].position);
-      const Eigen::Vector2d p = rigid + field.at(rigid);
-      const std::ptrdiff_t cell = a.fields.cellAt(p.x(), p.y());
-      if (cell < 0) {
-        continue;
-      }
-      const int sector = sectorOf(static_cast<ByteAngle>(b.wall_directions[i] + byte_turn));
-      const std::int32_t nearest = a.fields.nearest[static_cast<size_t>(cell * kSectors + sector)];
-      if (nearest >= 0) {
-        const WallPoint& target = a.wall_points[static_cast<size_t>(nearest)];
-        equations.add(rigid, target.position - rigid, target.normal,
-                      length_b * robustWeight((target.position - p).squaredNorm(), kernel));
-      }
-    }
-    for (size_t i = 0; i < count_a; ++i) {
-      const Eigen::Vector2d& p = a.wall_points[i].position;
-      const Eigen::Vector2d in_b = to_b(p - field.at(p));
-      const std::ptrdiff_t cell = b.fields.cellAt(in_b.x(), in_b.y());
-      if (cell < 0) {
-        continue;
-      }
-      const int sector = sectorOf(static_cast<ByteAngle>(a.wall_directions[i] - byte_turn));
-      const std::int32_t nearest = b.fields.nearest[static_cast<size_t>(cell * kSectors + sector)];
-      if (nearest >= 0) {
-        const WallPoint& source = b.wall_points[static_cast<size_t>(nearest)];
-        const Eigen::Vector2d rigid = to_a(source.position);
-        equations.add(rigid, p - rigid, to_a.turn(source.normal),
-                      length_a * robustWeight((p - rigid - field.at(rigid)).squaredNorm(), kernel));
-      }
-    }
+    forEachNearest(
+        a.fields, count_b,
+        [&](size_t i) {
+          return Eigen::Vector2d(rigid_b[i] + displacementAt(field, stencils_b[i]));
+        },
+        [&](size_t i) { return static_cast<ByteAngle>(b.wall_directions[i] + byte_turn); },
+        [&](size_t i, const Eigen::Vector2d& p, size_t nearest) {
+          const WallPoint& target = a.wall_points[nearest];
+          equations.add(stencils_b[i], target.position - rigid_b[i], target.normal,
+                        length_b * robustWeight((target.position - p).squaredNorm(), kernel));
+        });
+    forEachNearest(
+        b.fields, count_a,
+        [&](size_t i) {
+          return to_b(a.wall_points[i].position - displacementAt(field, stencils_a[i]));
+        },
+        [&](size_t i) { return static_cast<ByteAngle>(a.wall_directions[i] - byte_turn); },
+        [&](size_t i, const Eigen::Vector2d&, size_t nearest) {
+          const Eigen::Vector2d& p = a.wall_points[i].position;
+          const WallPoint& source = b.wall_points[nearest];
+          const Eigen::Vector2d rigid = to_a(source.position);
+          const Stencil stencil = stencilAt(field, rigid);
+          const Eigen::Vector2d left = p - rigid - displacementAt(field, stencil);
+          equations.add(stencil, p - rigid, to_a.turn(source.normal),
+                        length_a * robustWeight(left.squaredNorm(), kernel));
+        });
     field.displacements = equations.solve();
   }
   return field;

@@ -16,8 +16,7 @@ bool hasWall(const WallFields& fields, const Eigen::Vector2d& point, ByteAngle d
   if (cell < 0) {
     return false;
   }
-  const auto distance = static_cast<std::uint8_t>(fields.distances[static_cast<size_t>(cell)] >>
-                                                  (8 * sectorOf(direction)));
+  const std::uint8_t distance = fields.distances[sectorOf(direction)][static_cast<size_t>(cell)];
   return distance * WallFields::unit < near;
 }
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sbox/features/field_lookup.h"
+
 namespace sbox {
 namespace {
 
@@ -43,37 +45,25 @@ Normals gatherNormals(const MapFeatures& a, const MapFeatures& b, const RigidTra
   Normals normals;
   const size_t count_b = std::min(options.most_points, b.wall_points.size());
   const double length_b = lengthOfPoint(b, count_b) / 2;
-  for (size_t i = 0; i < count_b; ++i) {
-    const Eigen::Vector2d p = to_a(b.wall_points[i].position);
-    const std::ptrdiff_t cell = a.fields.cellAt(p.x(), p.y());
-    if (cell < 0) {
-      continue;
-    }
-    const int sector = sectorOf(static_cast<ByteAngle>(b.wall_directions[i] + byte_turn));
-    const std::int32_t nearest = a.fields.nearest[static_cast<size_t>(cell * kSectors + sector)];
-    if (nearest >= 0) {
-      const WallPoint& target = a.wall_points[static_cast<size_t>(nearest)];
-      normals.add(target.position - p, target.normal, p - pivot, squared_kernel, length_b);
-    }
-  }
+  forEachNearest(
+      a.fields, count_b, [&](size_t i) { return to_a(b.wall_points[i].position); },
+      [&](size_t i) { return static_cast<ByteAngle>(b.wall_directions[i] + byte_turn); },
+      [&](size_t, const Eigen::Vector2d& p, size_t nearest) {
+        const WallPoint& target = a.wall_points[nearest];
+        normals.add(target.position - p, target.normal, p - pivot, squared_kernel, length_b);
+      });
   const size_t count_a = std::min(options.most_points, a.wall_points.size());
   const double length_a = lengthOfPoint(a, count_a) / 2;
-  for (size_t i = 0; i < count_a; ++i) {
-    const Eigen::Vector2d in_b = to_b(a.wall_points[i].position);
-    const std::ptrdiff_t cell = b.fields.cellAt(in_b.x(), in_b.y());
-    if (cell < 0) {
-      continue;
-    }
-    const int sector = sectorOf(static_cast<ByteAngle>(a.wall_directions[i] - byte_turn));
-    const std::int32_t nearest = b.fields.nearest[static_cast<size_t>(cell * kSectors + sector)];
-    if (nearest >= 0) {
-      // The wall of b is what moves.
-      const WallPoint& source = b.wall_points[static_cast<size_t>(nearest)];
-      const Eigen::Vector2d moved = to_a(source.position);
-      normals.add(a.wall_points[i].position - moved, to_a.turn(source.normal), moved - pivot,
-                  squared_kernel, length_a);
-    }
-  }
+  forEachNearest(
+      b.fields, count_a, [&](size_t i) { return to_b(a.wall_points[i].position); },
+      [&](size_t i) { return static_cast<ByteAngle>(a.wall_directions[i] - byte_turn); },
+      [&](size_t i, const Eigen::Vector2d&, size_t nearest) {
+        // The wall of b is what moves.
+        const WallPoint& source = b.wall_points[nearest];
+        const Eigen::Vector2d moved = to_a(source.position);
+        normals.add(a.wall_points[i].position - moved, to_a.turn(source.normal), moved - pivot,
+                    squared_kernel, length_a);
+      });
   return normals;
 }
 

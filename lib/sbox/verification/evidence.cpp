@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sbox/features/field_lookup.h"
+
 namespace sbox {
 namespace {
 
@@ -22,24 +24,19 @@ OneWay lookUp(const MapFeatures& from, const MapFeatures& to, double heading, co
   const ByteAngle turn = toByteAngle(heading);
   OneWay sum;
   const size_t walls = std::min(most_points, from.wall_points.size());
-  for (size_t i = 0; i < walls; ++i) {
-    const Eigen::Vector2d p = place(from.wall_points[i].position);
-    const std::ptrdiff_t cell = fields.cellAt(p.x(), p.y());
-    if (cell < 0) {
-      continue;
-    }
-    const auto k = static_cast<size_t>(cell);
-    const int sector = sectorOf(static_cast<ByteAngle>(from.wall_directions[i] + turn));
-    const auto distance = static_cast<std::uint8_t>(fields.distances[k] >> (8 * sector));
-    const std::uint8_t depth = fields.free_depth[k];
-    const auto agree = static_cast<double>(weights.wide[distance]);
-    sum.agree += agree;
-    const Eigen::Vector2d& normal = from.wall_points[i].normal;
-    sum.facing += agree * normal * normal.transpose();
-    sum.tight += static_cast<double>(weights.tight[distance]);
-    sum.conflict += static_cast<double>(weights.conflict[depth]) * (1 - agree);
-    sum.known += depth > 0 ? 1 : agree;
-  }
+  forEachField(
+      fields, walls, [&](size_t i) { return place(from.wall_points[i].position); },
+      [&](size_t i) { return static_cast<ByteAngle>(from.wall_directions[i] + turn); },
+      [&](size_t i, std::uint8_t distance, std::uint8_t depth) {
+        const auto agree = static_cast<double>(weights.wide[distance]);
+        sum.agree += agree;
+        const Eigen::Vector2d& normal = from.wall_points[i].normal;
+        sum.facing += agree * normal * normal.transpose();
+        sum.tight += static_cast<double>(weights.tight[distance]);
+        sum.conflict += static_cast<double>(weights.conflict[depth]) * (1 - agree);
+        // Where the other map is free, it knows of the wall in full.
+        sum.known += std::max(agree, static_cast<double>(depth > 0));
+      });
   sum.wall = from.point_spacing * static_cast<double>(from.wall_points.size());
   const double per_point = walls > 0 ? sum.wall / static_cast<double>(walls) : 0;
   sum.facing *= per_point;
@@ -48,13 +45,15 @@ OneWay lookUp(const MapFeatures& from, const MapFeatures& to, double heading, co
   }
 
   const size_t free = std::min(most_points, from.free_points.size());
-  for (size_t i = 0; i < free; ++i) {
-    const Eigen::Vector2d p = place(from.free_points[i]);
-    const std::ptrdiff_t cell = fields.cellAt(p.x(), p.y());
-    sum.free_free += cell >= 0 && fields.free_depth[static_cast<size_t>(cell)] > 0 ? 1 : 0;
-  }
+  size_t free_free = 0;
+  forEachCell(
+      fields, free, [&](size_t i) { return place(from.free_points[i]); },
+      [&](size_t, const Eigen::Vector2d&, size_t cell) {
+        free_free += fields.free_depth[cell] > 0 ? 1 : 0;
+      });
   sum.free = from.free_point_area * static_cast<double>(from.free_points.size());
-  sum.free_free *= free > 0 ? sum.free / static_cast<double>(free) : 0;
+  sum.free_free =
+      static_cast<double>(free_free) * (free > 0 ? sum.free / static_cast<double>(free) : 0);
   return sum;
 }
 
