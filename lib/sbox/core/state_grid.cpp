@@ -3,37 +3,29 @@
 #include "sbox/core/state_grid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
+#include "sbox/core/cell_states.h"
+
 namespace sbox {
-namespace {
 
 using Cell = mrpt::maps::COccupancyGridMap2D::cellType;
+static_assert(sizeof(Cell) == 1, "MRPT was built with 16-bit cells");
 
-/// State of each of the 256 values a cell can have, by its bits.
-std::array<CellState, 256> stateTable(const StateOptions& options) {
-  std::array<CellState, 256> table{};
+CellStates::CellStates(const StateOptions& options) {
   for (int value = -128; value <= 127; ++value) {
     const double p_free = mrpt::maps::COccupancyGridMap2D::l2p(static_cast<Cell>(value));
-    table[static_cast<std::uint8_t>(value)] = p_free >= options.free_above ? CellState::Free
-                                              : p_free < options.occupied_below
-                                                  ? CellState::Occupied
-                                                  : CellState::Unknown;
+    states_[static_cast<std::uint8_t>(value)] = p_free >= options.free_above ? CellState::Free
+                                                : p_free < options.occupied_below
+                                                    ? CellState::Occupied
+                                                    : CellState::Unknown;
   }
-  return table;
 }
 
-}  // namespace
-
-StateGrid classifyCells(const Map& map, const StateOptions& options) {
-  static_assert(sizeof(Cell) == 1, "MRPT was built with 16-bit cells");
-  const std::array<CellState, 256> states = stateTable(options);
-  const auto known = [&](Cell cell) {
-    return states[static_cast<std::uint8_t>(cell)] != CellState::Unknown;
-  };
+KnownPart knownPart(const Map& map, const CellStates& states) {
+  const auto known = [&](Cell cell) { return states(cell) != CellState::Unknown; };
   int x_first = map.width(), x_last = -1, y_first = map.height(), y_last = -1;
   for (int y = 0; y < map.height(); ++y) {
     const Cell* row = map.grid.getRow(y);
@@ -51,35 +43,46 @@ StateGrid classifyCells(const Map& map, const StateOptions& options) {
     y_first = std::min(y_first, y);
     y_last = y;
   }
+  return x_last < 0 ? KnownPart()
+                    : KnownPart{x_first, y_first, x_last - x_first + 1, y_last - y_first + 1};
+}
+
+Pose2D cornerInMap(const Map& map, const KnownPart& part) {
+  Pose2D pose = map.corner_in_map;
+  const Point2D corner =
+      pose.composePoint({part.x_first * map.resolution(), part.y_first * map.resolution()});
+  pose.x = corner.x;
+  pose.y = corner.y;
+  return pose;
+}
+
+StateGrid classifyCells(const Map& map, const StateOptions& options) {
+  const CellStates states(options);
+  const KnownPart part = knownPart(map, states);
   StateGrid grid;
   grid.resolution = map.resolution();
   grid.corner_in_map = map.corner_in_map;
-  if (x_last < 0) {
+  if (part.width == 0) {
     return grid;
   }
-  grid.width = x_last - x_first + 1;
-  grid.height = y_last - y_first + 1;
-  const Point2D corner =
-      map.corner_in_map.composePoint({x_first * grid.resolution, y_first * grid.resolution});
-  grid.corner_in_map.x = corner.x;
-  grid.corner_in_map.y = corner.y;
+  grid.width = part.width;
+  grid.height = part.height;
+  grid.corner_in_map = cornerInMap(map, part);
   grid.cells.resize(static_cast<size_t>(grid.width) * static_cast<size_t>(grid.height));
   CellState* state = grid.cells.data();
-  for (int y = y_first; y <= y_last; ++y, state += grid.width) {
-    const Cell* row = map.grid.getRow(y) + x_first;
-    std::transform(row, row + grid.width, state,
-                   [&](Cell cell) { return states[static_cast<std::uint8_t>(cell)]; });
+  for (int y = part.y_first; y < part.y_first + part.height; ++y, state += grid.width) {
+    const Cell* row = map.grid.getRow(y) + part.x_first;
+    std::transform(row, row + grid.width, state, states);
   }
   return grid;
 }
 
 bool hasOccupiedCell(const Map& map, const StateOptions& options) {
-  const std::array<CellState, 256> states = stateTable(options);
+  const CellStates states(options);
   for (int y = 0; y < map.height(); ++y) {
     const Cell* row = map.grid.getRow(y);
-    if (std::any_of(row, row + map.width(), [&](Cell cell) {
-          return states[static_cast<std::uint8_t>(cell)] == CellState::Occupied;
-        })) {
+    if (std::any_of(row, row + map.width(),
+                    [&](Cell cell) { return states(cell) == CellState::Occupied; })) {
       return true;
     }
   }
@@ -119,18 +122,19 @@ StateGrid resample(const StateGrid& grid, double resolution) {
   }
   // A cell is occupied if the union of its bits has that bit, and free if their intersection has
   // that one; beyond the grid no bit is set.
-  constexpr auto free_bit = static_cast<unsigned>(CellState::Free);
-  constexpr auto occupied_bit = static_cast<unsigned>(CellState::Occupied);
-  std::vector<unsigned> any(static_cast<size_t>(grid.width)), all(any.size());
+  using Bits = std::uint8_t;
+  constexpr auto free_bit = static_cast<Bits>(CellState::Free);
+  constexpr auto occupied_bit = static_cast<Bits>(CellState::Occupied);
+  std::vector<Bits> any(static_cast<size_t>(grid.width)), all(any.size());
   for (int y = 0; y < out.height; ++y) {
     const auto [y_first, y_last] = span(y, grid.height);
-    std::fill(any.begin(), any.end(), 0U);
-    std::fill(all.begin(), all.end(), y_last < grid.height ? free_bit : 0U);
+    std::fill(any.begin(), any.end(), Bits{0});
+    std::fill(all.begin(), all.end(), y_last < grid.height ? free_bit : Bits{0});
     for (int cy = y_first; cy <= std::min(y_last, grid.height - 1); ++cy) {
       const CellState* row =
           grid.cells.data() + static_cast<size_t>(cy) * static_cast<size_t>(grid.width);
       for (size_t x = 0; x < any.size(); ++x) {
-        const auto bits = static_cast<unsigned>(row[x]);
+        const auto bits = static_cast<Bits>(row[x]);
         any[x] |= bits;
         all[x] &= bits;
       }
@@ -138,7 +142,7 @@ StateGrid resample(const StateGrid& grid, double resolution) {
     CellState* out_row = out.cells.data() + static_cast<size_t>(y) * static_cast<size_t>(out.width);
     for (int x = 0; x < out.width; ++x) {
       const auto [x_first, x_last] = columns[static_cast<size_t>(x)];
-      unsigned any_bits = 0, all_bits = x_last < grid.width ? free_bit : 0U;
+      Bits any_bits = 0, all_bits = x_last < grid.width ? free_bit : Bits{0};
       for (int cx = x_first; cx <= std::min(x_last, grid.width - 1); ++cx) {
         any_bits |= any[static_cast<size_t>(cx)];
         all_bits &= all[static_cast<size_t>(cx)];

@@ -4,9 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
+#include "sbox/core/cell_states.h"
 #include "sbox/core/parallel.h"
-#include "sbox/core/state_grid.h"
 
 namespace sbox {
 namespace {
@@ -14,20 +15,42 @@ namespace {
 constexpr int kMostCells = 48;      ///< In a row or column.
 constexpr double kLeastCell = 0.5;  ///< Metres.
 
-void markKnown(const StateGrid& grid, int block, Footprint& footprint) {
-  std::vector<int> counts(footprint.cells.size(), 0);
-  for (int y = 0; y < grid.height; ++y) {
-    const CellState* row =
-        grid.cells.data() + static_cast<size_t>(y) * static_cast<size_t>(grid.width);
-    int* count =
-        counts.data() + static_cast<size_t>(y / block) * static_cast<size_t>(footprint.width);
-    for (int x = 0; x < grid.width; ++x) {
-      count[x / block] += row[x] != CellState::Unknown ? 1 : 0;
+/// Marks the coarse cells at least half of whose cells are known.
+void markKnown(const Map& map, const CellStates& states, const KnownPart& part, int block,
+               Footprint& footprint) {
+  const int half = (block * block + 1) / 2;
+  std::vector<int> known_in_column(static_cast<size_t>(part.width));
+  std::uint8_t* marked = footprint.cells.data();
+  for (int y = 0; y < part.height; y += block) {
+    std::fill(known_in_column.begin(), known_in_column.end(), 0);
+    for (int i = y; i < std::min(y + block, part.height); ++i) {
+      const auto* row = map.grid.getRow(part.y_first + i) + part.x_first;
+      for (size_t x = 0; x < known_in_column.size(); ++x) {
+        known_in_column[x] += states(row[x]) != CellState::Unknown ? 1 : 0;
+      }
+    }
+    for (int x = 0; x < part.width; x += block) {
+      const auto column = known_in_column.begin() + x;
+      const int known = std::accumulate(column, column + std::min(block, part.width - x), 0);
+      *marked++ = known >= half ? 1 : 0;
     }
   }
-  const int half = (block * block + 1) / 2;
-  for (size_t i = 0; i < counts.size(); ++i) {
-    footprint.cells[i] = counts[i] >= half ? 1 : 0;
+}
+
+/// Calls take(point) for each known point of map b, in its frame, that map a knows too.
+template <typename Take>
+void forEachCommon(const Footprint& a, const Footprint& b, const Pose2D& pose_b_in_a,
+                   const Take& take) {
+  const Pose2D b_in_grid = inverse(a.corner_in_map) + pose_b_in_a;
+  const double c = std::cos(b_in_grid.phi), s = std::sin(b_in_grid.phi);
+  for (const Point2D& point : b.known) {
+    const double x = (b_in_grid.x + c * point.x - s * point.y) / a.cell;
+    const double y = (b_in_grid.y + s * point.x + c * point.y) / a.cell;
+    if (x >= 0 && y >= 0 && x < a.width && y < a.height &&
+        a.cells[static_cast<size_t>(y) * static_cast<size_t>(a.width) + static_cast<size_t>(x)] !=
+            0) {
+      take(point);
+    }
   }
 }
 
@@ -35,20 +58,22 @@ void markKnown(const StateGrid& grid, int block, Footprint& footprint) {
 
 Footprint footprintOf(const Map& map) {
   Footprint footprint;
-  const StateGrid grid = classifyCells(map);
-  if (grid.empty()) {
+  const CellStates states;
+  const KnownPart part = knownPart(map, states);
+  if (part.width == 0) {
     return footprint;
   }
-  const int longest = std::max(grid.width, grid.height);
+  const double resolution = map.resolution();
+  const int longest = std::max(part.width, part.height);
   const int block = std::max({1, (longest + kMostCells - 1) / kMostCells,
-                              static_cast<int>(std::lround(kLeastCell / grid.resolution))});
-  footprint.cell = block * grid.resolution;
-  footprint.corner_in_map = grid.corner_in_map;
-  footprint.width = (grid.width + block - 1) / block;
-  footprint.height = (grid.height + block - 1) / block;
+                              static_cast<int>(std::lround(kLeastCell / resolution))});
+  footprint.cell = block * resolution;
+  footprint.corner_in_map = cornerInMap(map, part);
+  footprint.width = (part.width + block - 1) / block;
+  footprint.height = (part.height + block - 1) / block;
   footprint.cells.resize(static_cast<size_t>(footprint.width) *
                          static_cast<size_t>(footprint.height));
-  markKnown(grid, block, footprint);
+  markKnown(map, states, part, block, footprint);
   Point2D sum(0, 0);
   for (size_t i = 0; i < footprint.cells.size(); ++i) {
     if (footprint.cells[i] != 0) {
@@ -62,7 +87,7 @@ Footprint footprintOf(const Map& map) {
   }
   if (footprint.known.empty()) {
     footprint.centre = footprint.corner_in_map.composePoint(
-        Point2D(grid.width * grid.resolution / 2, grid.height * grid.resolution / 2));
+        Point2D(part.width * resolution / 2, part.height * resolution / 2));
     return footprint;
   }
   const auto count = static_cast<double>(footprint.known.size());
@@ -86,18 +111,11 @@ std::vector<Footprint> footprintsOf(const std::vector<Map>& maps, int threads) {
 std::vector<Point2D> commonPoints(const Footprint& a, const Footprint& b,
                                   const Pose2D& pose_b_in_a) {
   std::vector<Point2D> common;
-  const Pose2D a_in_grid = inverse(a.corner_in_map);
-  const Pose2D b_in_grid = a_in_grid + pose_b_in_a;
-  const double c = std::cos(b_in_grid.phi), s = std::sin(b_in_grid.phi);
-  for (const Point2D& point : b.known) {
-    const double x = (b_in_grid.x + c * point.x - s * point.y) / a.cell;
-    const double y = (b_in_grid.y + s * point.x + c * point.y) / a.cell;
-    if (x >= 0 && y >= 0 && x < a.width && y < a.height &&
-        a.cells[static_cast<size_t>(y) * static_cast<size_t>(a.width) + static_cast<size_t>(x)] !=
-            0) {
-      common.push_back(pose_b_in_a.composePoint(point));
-    }
-  }
+  const double c = std::cos(pose_b_in_a.phi), s = std::sin(pose_b_in_a.phi);
+  forEachCommon(a, b, pose_b_in_a, [&](const Point2D& point) {
+    common.emplace_back(pose_b_in_a.x + point.x * c - point.y * s,
+                        pose_b_in_a.y + point.x * s + point.y * c);
+  });
   return common;
 }
 
@@ -105,11 +123,14 @@ double overlapShare(const Footprint& a, const Footprint& b, const Pose2D& pose_b
   if (a.known.empty() || b.known.empty()) {
     return 0;
   }
+  const auto commonArea = [](const Footprint& of, const Footprint& in, const Pose2D& pose) {
+    size_t count = 0;
+    forEachCommon(in, of, pose, [&](const Point2D&) { ++count; });
+    return static_cast<double>(count) * of.cell * of.cell;
+  };
   // From both sides, so that the order of the maps does not matter.
   const double common =
-      (static_cast<double>(commonPoints(a, b, pose_b_in_a).size()) * b.cell * b.cell +
-       static_cast<double>(commonPoints(b, a, inverse(pose_b_in_a)).size()) * a.cell * a.cell) /
-      2;
+      (commonArea(b, a, pose_b_in_a) + commonArea(a, b, inverse(pose_b_in_a))) / 2;
   const double area_a = static_cast<double>(a.known.size()) * a.cell * a.cell;
   const double area_b = static_cast<double>(b.known.size()) * b.cell * b.cell;
   return std::min(1.0, common / std::min(area_a, area_b));

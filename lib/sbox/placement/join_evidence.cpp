@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
+#include "sbox/core/round.h"
 #include "sbox/placement/settled_group.h"
 
 namespace sbox {
@@ -75,12 +76,12 @@ std::vector<std::pair<int, int>> commonCells(const CrossPair& cross, const Pose2
   constexpr double cell = 2;  // Metres; not less than that of most footprints.
   const Pose2D pose_a_in_first =
       cross.turned ? second_in_first + cross.pose_a_in_group : cross.pose_a_in_group;
+  const double c = std::cos(pose_a_in_first.phi), s = std::sin(pose_a_in_first.phi);
   std::vector<std::pair<int, int>> cells;
   for (const Point2D& point :
        commonPoints(footprint(maps, cross.pair->a), footprint(maps, cross.pair->b), pose_b_in_a)) {
-    const Point2D in_first = pose_a_in_first.composePoint(point);
-    cells.emplace_back(static_cast<int>(std::floor(in_first.x / cell)),
-                       static_cast<int>(std::floor(in_first.y / cell)));
+    cells.emplace_back(floorToInt((pose_a_in_first.x + point.x * c - point.y * s) / cell),
+                       floorToInt((pose_a_in_first.y + point.x * s + point.y * c) / cell));
   }
   std::sort(cells.begin(), cells.end());
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
@@ -104,15 +105,16 @@ void hearWitnesses(std::vector<Witness>& witnesses, const std::vector<Footprint>
     return std::make_tuple(-left.probability, left.cross->pair->a, left.cross->pair->b) <
            std::make_tuple(-right.probability, right.cross->pair->a, right.cross->pair->b);
   });
-  std::set<std::pair<int, int>> covered;
+  std::vector<std::pair<int, int>> covered, before;  // Ascending.
   for (const Witness& witness : witnesses) {
     const PairEvidence& pair = *witness.cross->pair;
     const std::vector<std::pair<int, int>> cells =
         commonCells(*witness.cross, witness.pose_b_in_a, maps, evidence.second_in_first);
-    size_t fresh = 0;
-    for (const std::pair<int, int>& cell : cells) {
-      fresh += covered.insert(cell).second ? 1 : 0;
-    }
+    before.swap(covered);
+    covered.clear();
+    std::set_union(before.begin(), before.end(), cells.begin(), cells.end(),
+                   std::back_inserter(covered));
+    const size_t fresh = covered.size() - before.size();
     // Of maps without a footprint nothing is known but that they are not the same two.
     const double fresh_share =
         cells.empty() ? 1 : static_cast<double>(fresh) / static_cast<double>(cells.size());
