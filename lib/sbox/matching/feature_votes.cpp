@@ -39,8 +39,12 @@ class VoteGrid {
     const Eigen::Vector2d size = (high - low) / bin;
     width_ = static_cast<int>(std::ceil(size.x())) + 3;
     height_ = static_cast<int>(std::ceil(size.y())) + 3;
-    bins_.resize(static_cast<size_t>(width_) * static_cast<size_t>(height_));
+    weights_.resize(static_cast<size_t>(width_) * static_cast<size_t>(height_));
+    sums_.resize(weights_.size());
   }
+
+  /// Forgets all votes.
+  void clear() { std::fill(weights_.begin(), weights_.end(), 0); }
 
   /// Each ballot counts less the more often its features were used: rows of equal things would
   /// outvote the rest.
@@ -63,29 +67,24 @@ class VoteGrid {
   void forEachBin(const Take& take) const {
     for (int y = 1; y + 1 < height_; ++y) {
       for (int x = 1; x + 1 < width_; ++x) {
-        const Bin& here = at(x, y);
-        if (here.weight <= 0) {
+        const size_t here = binAt(x, y);
+        if (weights_[here] <= 0) {
           continue;
         }
         double around = 0;
         for (int dy = -1; dy <= 1; ++dy) {
           for (int dx = -1; dx <= 1; ++dx) {
-            around += at(x + dx, y + dy).weight;
+            around += weights_[binAt(x + dx, y + dy)];
           }
         }
-        take(here.sum / here.weight, around);
+        take(sums_[here] / weights_[here], around);
       }
     }
   }
 
  private:
-  struct Bin {
-    double weight = 0;
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  };
-
-  [[nodiscard]] const Bin& at(int x, int y) const {
-    return bins_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)];
+  [[nodiscard]] size_t binAt(int x, int y) const {
+    return static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
   }
 
   void add(const Eigen::Vector2d& point, double weight) {
@@ -95,16 +94,20 @@ class VoteGrid {
     if (x < 1 || y < 1 || x + 1 >= width_ || y + 1 >= height_) {
       return;
     }
-    Bin& bin = bins_[static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x)];
-    bin.weight += weight;
-    bin.sum += weight * point;
+    const size_t bin = binAt(x, y);
+    if (weights_[bin] <= 0) {
+      sums_[bin].setZero();
+    }
+    weights_[bin] += weight;
+    sums_[bin] += weight * point;
   }
 
   Eigen::Vector2d low_;
   double bin_;
   int width_ = 0;
   int height_ = 0;
-  std::vector<Bin> bins_;
+  std::vector<double> weights_;        ///< Of each bin's votes.
+  std::vector<Eigen::Vector2d> sums_;  ///< Of their weighted places; of no meaning without votes.
 };
 
 /// Corners with one signature: the same free sides and the same arms.
@@ -188,27 +191,33 @@ void frameBounds(const MapFeatures& map, const WallFrame& frame, Eigen::Vector2d
   }
 }
 
-std::vector<Hypothesis> voteForTurn(const MapFeatures& map_a, const MapFeatures& map_b,
-                                    const FrameFeatures& a, const FrameFeatures& b, int turns,
-                                    const VoteOptions& options) {
-  const Eigen::Rotation2Dd to_grid_a(a.frame.direction), to_frame_b(-b.frame.direction);
-  const Eigen::Vector2d centre_in_grid_b(map_b.width / 2, map_b.height / 2);
-  const Eigen::Vector2d centre_b = to_frame_b * centre_in_grid_b;
+/// For all places at which the centre of map b can lie if the maps meet.
+VoteGrid gridFor(const MapFeatures& map_a, const MapFeatures& map_b, const WallFrame& frame_a,
+                 double bin) {
   Eigen::Vector2d low, high;
-  frameBounds(map_a, a.frame, low, high);
+  frameBounds(map_a, frame_a, low, high);
   const double radius_b = std::hypot(map_b.width, map_b.height) / 2;
-  VoteGrid grid(low - Eigen::Vector2d::Constant(radius_b),
-                high + Eigen::Vector2d::Constant(radius_b), options.bin);
+  return {low - Eigen::Vector2d::Constant(radius_b), high + Eigen::Vector2d::Constant(radius_b),
+          bin};
+}
+
+std::vector<Hypothesis> voteForTurn(const MapFeatures& map_b, const FrameFeatures& a,
+                                    const FrameFeatures& b, int turns, const VoteOptions& options,
+                                    VoteGrid& grid) {
+  const Eigen::Matrix2d to_grid_a = Eigen::Rotation2Dd(a.frame.direction).toRotationMatrix();
+  const Eigen::Vector2d centre_in_grid_b(map_b.width / 2, map_b.height / 2);
+  const Eigen::Vector2d centre_b = Eigen::Rotation2Dd(-b.frame.direction) * centre_in_grid_b;
+  grid.clear();
   grid.count(cornerBallots(a.corners, b.corners, turns, centre_b), a.corners.size(),
              b.corners.size(), 1.0);
   grid.count(boxBallots(a.boxes, b.boxes, turns, centre_b, options), a.boxes.size(), b.boxes.size(),
              options.box_weight);
 
   const double heading = a.frame.direction - b.frame.direction + turns * M_PI / 2;
+  const Eigen::Vector2d arm = Eigen::Rotation2Dd(heading) * centre_in_grid_b;
   std::vector<Hypothesis> hypotheses;
   grid.forEachBin([&](const Eigen::Vector2d& centre_b_in_a, double votes) {
-    const Eigen::Vector2d translation =
-        to_grid_a * centre_b_in_a - Eigen::Rotation2Dd(heading) * centre_in_grid_b;
+    const Eigen::Vector2d translation = to_grid_a * centre_b_in_a - arm;
     hypotheses.push_back({{heading, translation}, votes});
   });
   return hypotheses;
@@ -234,9 +243,10 @@ std::vector<Hypothesis> voteForTransforms(const MapFeatures& a, const MapFeature
                                           const VoteOptions& options) {
   std::vector<Hypothesis> best, rest;
   for (const FrameFeatures& frame_a : a.frames) {
+    VoteGrid grid = gridFor(a, b, frame_a.frame, options.bin);
     for (const FrameFeatures& frame_b : b.frames) {
       for (int turns = 0; turns < 4; ++turns) {
-        std::vector<Hypothesis> found = voteForTurn(a, b, frame_a, frame_b, turns, options);
+        std::vector<Hypothesis> found = voteForTurn(b, frame_a, frame_b, turns, options, grid);
         keepBest(found, options.max_hypotheses);
         const size_t sure = std::min(found.size(), static_cast<size_t>(options.min_per_heading));
         best.insert(best.end(), found.begin(), found.begin() + static_cast<std::ptrdiff_t>(sure));
