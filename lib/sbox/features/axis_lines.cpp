@@ -127,7 +127,7 @@ double slopeSpread(const AxisLines& lines, double min_length) {
 
 AxisLines linesOfFrame(const std::vector<WallLine>& lines, const WallFrame& frame,
                        const AxisLineOptions& options) {
-  const Eigen::Rotation2Dd to_frame(-frame.direction);
+  const Eigen::Matrix2d to_frame = Eigen::Rotation2Dd(-frame.direction).toRotationMatrix();
   std::array<std::vector<Stretch>, 4> stretches;
   for (const WallLine& line : lines) {
     if (line.wall_share < options.min_wall_share) {

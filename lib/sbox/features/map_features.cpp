@@ -70,7 +70,7 @@ FeatureSet describe(const std::vector<FrameFeatures>& frames, const std::vector<
     set.lines.push_back({in_map(line.from), in_map(line.to)});
   }
   for (const FrameFeatures& frame : frames) {
-    const Eigen::Rotation2Dd to_grid(frame.frame.direction);
+    const Eigen::Matrix2d to_grid = Eigen::Rotation2Dd(frame.frame.direction).toRotationMatrix();
     for (const WallCorner& corner : frame.corners) {
       set.vertical_points.push_back(in_map(to_grid * corner.position));
     }

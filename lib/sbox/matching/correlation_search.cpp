@@ -52,7 +52,7 @@ Pictures draw(const MapFeatures& map, double heading, const Canvas& canvas, cons
                            &pictures.conflict, &pictures.free}) {
     *picture = cv::Mat::zeros(size, CV_32F);
   }
-  const Eigen::Rotation2Dd turn(heading);
+  const Eigen::Matrix2d turn = Eigen::Rotation2Dd(heading).toRotationMatrix();
   const auto cellOf = [&](const Eigen::Vector2d& point) {
     const Eigen::Vector2d place = (turn * point - canvas.low) / canvas.resolution;
     return cv::Point(std::clamp(static_cast<int>(place.x()), 0, canvas.size.width - 1),
@@ -88,21 +88,22 @@ void blurToAgreement(Pictures& pictures, double sigma, double resolution) {
   }
 }
 
-cv::Mat spectrum(const cv::Mat& picture) {
+/// Of a picture that is empty from row `rows` on.
+cv::Mat spectrum(const cv::Mat& picture, int rows) {
   cv::Mat result;
-  cv::dft(picture, result);
+  cv::dft(picture, result, 0, rows);
   return result;
 }
 
 struct Spectra {
   cv::Mat facing_x, facing_y, wall, conflict, free;
 
-  explicit Spectra(const Pictures& pictures)
-      : facing_x(spectrum(pictures.facing_x)),
-        facing_y(spectrum(pictures.facing_y)),
-        wall(spectrum(pictures.wall)),
-        conflict(spectrum(pictures.conflict)),
-        free(spectrum(pictures.free)) {}
+  Spectra(const Pictures& pictures, int rows)
+      : facing_x(spectrum(pictures.facing_x, rows)),
+        facing_y(spectrum(pictures.facing_y, rows)),
+        wall(spectrum(pictures.wall, rows)),
+        conflict(spectrum(pictures.conflict, rows)),
+        free(spectrum(pictures.free, rows)) {}
 };
 
 /// For each shift the sum over all cells of a(cell + shift) b(cell), of one or two pairs.
@@ -159,7 +160,7 @@ std::vector<Hypothesis> searchByCorrelation(const MapFeatures& a, const MapFeatu
                       cv::getOptimalDFTSize(canvas_a.size.height + side_b));
   Pictures pictures_a = draw(a, 0, canvas_a, size);
   blurToAgreement(pictures_a, blur, resolution);
-  const Spectra spectra_a(pictures_a);
+  const Spectra spectra_a(pictures_a, size.height);
   const double wall =
       a.point_spacing * static_cast<double>(a.wall_points.size() + b.wall_points.size());
   const double free = std::min(a.free_point_area * static_cast<double>(a.free_points.size()),
@@ -168,7 +169,7 @@ std::vector<Hypothesis> searchByCorrelation(const MapFeatures& a, const MapFeatu
   std::vector<Hypothesis> hypotheses;
   for (const double heading : findHeadings(a, b, options.headings)) {
     const Canvas canvas_b = canvasFor(b, heading, resolution, 0);
-    const Spectra spectra_b(draw(b, heading, canvas_b, size));
+    const Spectra spectra_b(draw(b, heading, canvas_b, size), canvas_b.size.height);
     const cv::Mat agree =
         correlate(spectra_a.facing_x, spectra_b.facing_x, spectra_a.facing_y, spectra_b.facing_y);
     const cv::Mat known = correlate(spectra_a.free, spectra_b.wall, spectra_a.wall, spectra_b.free);
@@ -176,20 +177,25 @@ std::vector<Hypothesis> searchByCorrelation(const MapFeatures& a, const MapFeatu
         correlate(spectra_a.conflict, spectra_b.wall, spectra_a.wall, spectra_b.conflict);
     const cv::Mat free_free = correlate(spectra_a.free, spectra_b.free);
     cv::Mat scores(size, CV_32F);
+    Evidence evidence;
+    evidence.wall = wall;
+    evidence.free = free;
     for (int y = 0; y < size.height; ++y) {
+      const auto* agree_row = agree.ptr<float>(y);
+      const auto* known_row = known.ptr<float>(y);
+      const auto* conflict_row = conflict.ptr<float>(y);
+      const auto* free_row = free_free.ptr<float>(y);
+      auto* score_row = scores.ptr<float>(y);
       for (int x = 0; x < size.width; ++x) {
-        Evidence evidence;
-        evidence.agree = 2 * std::max(0.F, agree.at<float>(y, x));
-        evidence.known = std::max(0.F, known.at<float>(y, x)) + evidence.agree;
+        evidence.agree = 2 * std::max(0.F, agree_row[x]);
+        evidence.known = std::max(0.F, known_row[x]) + evidence.agree;
         if (evidence.agree < options.min_agree * evidence.known) {
-          scores.at<float>(y, x) = static_cast<float>(kImplausible);
+          score_row[x] = static_cast<float>(kImplausible);
           continue;
         }
-        evidence.conflict = std::max(0.F, conflict.at<float>(y, x));
-        evidence.free_free = std::max(0.F, free_free.at<float>(y, x)) * resolution * resolution;
-        evidence.wall = wall;
-        evidence.free = free;
-        scores.at<float>(y, x) = static_cast<float>(plausibility(evidence));
+        evidence.conflict = std::max(0.F, conflict_row[x]);
+        evidence.free_free = std::max(0.F, free_row[x]) * resolution * resolution;
+        score_row[x] = static_cast<float>(plausibility(evidence));
       }
     }
     const int radius = std::max(1, static_cast<int>(options.separation / resolution));

@@ -13,7 +13,7 @@ namespace {
 using Corners = std::array<Eigen::Vector2d, 4>;
 
 Corners inGrid(const WallBox& box, const WallFrame& frame) {
-  const Eigen::Rotation2Dd to_grid(frame.direction);
+  const Eigen::Matrix2d to_grid = Eigen::Rotation2Dd(frame.direction).toRotationMatrix();
   Corners corners;
   for (size_t i = 0; i < 4; ++i) {
     corners[i] = to_grid * box.corners[i];

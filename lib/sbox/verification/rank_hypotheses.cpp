@@ -38,20 +38,30 @@ void score(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked>& rank
   }
 }
 
+/// Whether transforms that put a point this far apart and differ by this angle are near each other.
+bool areNear(const Eigen::Vector2d& apart, double turned, double distance, double turn) {
+  return apart.norm() < distance && std::abs(wrapAngle(turned)) < turn;
+}
+
 /// Drops what is the same answer as a better one; `ranked` is in order.
 void keepDistinct(std::vector<Ranked>& ranked, int count, const Eigen::Vector2d& centre_b,
                   const RankingOptions& options) {
+  const double turn = options.same_turn * M_PI / 180;
   std::vector<Ranked> distinct;
+  std::vector<Eigen::Vector2d> centres;  // Of map b, by each of these.
   for (const Ranked& candidate : ranked) {
     if (static_cast<int>(distinct.size()) >= count) {
       break;
     }
-    const bool is_new = std::none_of(distinct.begin(), distinct.end(), [&](const Ranked& other) {
-      return isSameAnswer(candidate.b_in_a, other.b_in_a, centre_b, options.same_distance,
-                          options.same_turn * M_PI / 180);
-    });
+    const Eigen::Vector2d centre = candidate.b_in_a * centre_b;
+    bool is_new = true;
+    for (size_t i = 0; i < distinct.size() && is_new; ++i) {
+      is_new = !areNear(centre - centres[i], candidate.b_in_a.heading - distinct[i].b_in_a.heading,
+                        options.same_distance, turn);
+    }
     if (is_new) {
       distinct.push_back(candidate);
+      centres.push_back(centre);
     }
   }
   ranked = std::move(distinct);
@@ -156,8 +166,7 @@ void addFits(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked> ran
 
 bool isSameAnswer(const RigidTransform& left, const RigidTransform& right,
                   const Eigen::Vector2d& centre_b, double distance, double turn) {
-  return (left * centre_b - right * centre_b).norm() < distance &&
-         std::abs(wrapAngle(left.heading - right.heading)) < turn;
+  return areNear(left * centre_b - right * centre_b, left.heading - right.heading, distance, turn);
 }
 
 std::vector<Fit> rankHypotheses(const MapFeatures& a, const MapFeatures& b,
