@@ -13,10 +13,11 @@
 
 namespace sbox {
 
-/// Calls take(i, place, cell) for each i below `count` whose place placeOf(i), in the fields' grid
+/// Calls take(i, place, cell) for each i below `count` whose place place_of(i), in the fields' grid
 /// frame, lies on the fields, as WallFields::cellAt() tells; in order.
 template <typename PlaceOf, typename Take>
-void forEachCell(const WallFields& fields, size_t count, const PlaceOf& placeOf, const Take& take) {
+void forEachCell(const WallFields& fields, size_t count, const PlaceOf& place_of,
+                 const Take& take) {
   struct Found {
     Eigen::Vector2d place;
     size_t point, cell;
@@ -29,7 +30,7 @@ void forEachCell(const WallFields& fields, size_t count, const PlaceOf& placeOf,
     const size_t last = std::min(count, first + batch.size());
     size_t found = 0;
     for (size_t i = first; i < last; ++i) {
-      const Eigen::Vector2d place = placeOf(i);
+      const Eigen::Vector2d place = place_of(i);
       const Eigen::Array2d at = ((place - fields.origin) / fields.resolution).array();
       // No branches: which points lie outside cannot be foreseen either.
       const Eigen::Array2d within = at.max(0.0).min(last_cell);
@@ -45,12 +46,12 @@ void forEachCell(const WallFields& fields, size_t count, const PlaceOf& placeOf,
   }
 }
 
-/// Calls take(i, distance, depth) with what the fields hold at the place placeOf(i) of each i below
-/// `count`, for walls that face the sector of directionOf(i); those beside the fields are left out.
-/// In order.
+/// Calls take(i, distance, depth) with what the fields hold at the place place_of(i) of each i
+/// below `count`, for walls that face the sector of direction_of(i); those beside the fields are
+/// left out. In order.
 template <typename PlaceOf, typename DirectionOf, typename Take>
-void forEachField(const WallFields& fields, size_t count, const PlaceOf& placeOf,
-                  const DirectionOf& directionOf, const Take& take) {
+void forEachField(const WallFields& fields, size_t count, const PlaceOf& place_of,
+                  const DirectionOf& direction_of, const Take& take) {
   struct Found {
     size_t point;
     std::uint8_t distance, depth;
@@ -63,8 +64,9 @@ void forEachField(const WallFields& fields, size_t count, const PlaceOf& placeOf
     }
     found = 0;
   };
-  forEachCell(fields, count, placeOf, [&](size_t i, const Eigen::Vector2d&, size_t cell) {
-    batch[found++] = {i, fields.distances[sectorOf(directionOf(i))][cell], fields.free_depth[cell]};
+  forEachCell(fields, count, place_of, [&](size_t i, const Eigen::Vector2d&, size_t cell) {
+    batch[found++] = {i, fields.distances[sectorOf(direction_of(i))][cell],
+                      fields.free_depth[cell]};
     if (found == batch.size()) {
       takeAll();
     }
@@ -73,11 +75,11 @@ void forEachField(const WallFields& fields, size_t count, const PlaceOf& placeOf
 }
 
 /// Calls take(i, place, nearest) for each i below `count` that has a wall point within reach of its
-/// place placeOf(i), in the fields' grid frame, which faces the sector of directionOf(i); `nearest`
-/// is the index of that wall point. In order.
+/// place place_of(i), in the fields' grid frame, which faces the sector of direction_of(i);
+/// `nearest` is the index of that wall point. In order.
 template <typename PlaceOf, typename DirectionOf, typename Take>
-void forEachNearest(const WallFields& fields, size_t count, const PlaceOf& placeOf,
-                    const DirectionOf& directionOf, const Take& take) {
+void forEachNearest(const WallFields& fields, size_t count, const PlaceOf& place_of,
+                    const DirectionOf& direction_of, const Take& take) {
   struct Found {
     Eigen::Vector2d place;
     size_t point;
@@ -91,8 +93,8 @@ void forEachNearest(const WallFields& fields, size_t count, const PlaceOf& place
     }
     found = 0;
   };
-  forEachCell(fields, count, placeOf, [&](size_t i, const Eigen::Vector2d& place, size_t cell) {
-    const std::int32_t nearest = fields.nearest[sectorOf(directionOf(i))][cell];
+  forEachCell(fields, count, place_of, [&](size_t i, const Eigen::Vector2d& place, size_t cell) {
+    const std::int32_t nearest = fields.nearest[sectorOf(direction_of(i))][cell];
     batch[found] = {place, i, nearest};
     found += nearest >= 0 ? 1 : 0;
     if (found == batch.size()) {

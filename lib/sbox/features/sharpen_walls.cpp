@@ -81,21 +81,22 @@ class EdgeFinder {
 
   /// The first step whose cell is not free while that of the step before is, as an offset.
   template <typename CellAt, typename IsFree>
-  [[nodiscard]] std::optional<double> firstEdge(const CellAt& cellAt, const IsFree& isFree) const {
+  [[nodiscard]] std::optional<double> firstEdge(const CellAt& cell_at,
+                                                const IsFree& free_at) const {
     if (steps_.empty()) {
       return std::nullopt;
     }
-    Cell cell = cellAt(0);
-    bool was_free = isFree(cell);
+    Cell cell = cell_at(0);
+    bool was_free = free_at(cell);
     for (size_t step = 0; step + 1 < steps_.size();) {
       const size_t next = std::min(step + kStepsPerCell, steps_.size() - 1);
-      const Cell next_cell = cellAt(next);
-      const bool next_free = isFree(next_cell);
+      const Cell next_cell = cell_at(next);
+      const bool next_free = free_at(next_cell);
       // Of one cell, or of two that share a side, there is no third in between.
       const bool no_other = std::abs(next_cell.x - cell.x) + std::abs(next_cell.y - cell.y) <= 1;
       if (!no_other || (was_free && !next_free)) {
         for (size_t i = step + 1; i <= next; ++i) {
-          const bool is_free = isFree(cellAt(i));
+          const bool is_free = free_at(cell_at(i));
           if (was_free && !is_free) {
             return steps_[i] + 0.5 * cells_.resolution / kStepsPerCell;
           }
