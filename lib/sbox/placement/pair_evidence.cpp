@@ -52,6 +52,24 @@ PoseCovariance carriedOver(const PoseCovariance& covariance, const Pose2D& from,
   return (mean + mean.transpose()) / 2;
 }
 
+/// The factor by which the odds of belonging together change where this share of all pairs does,
+/// instead of half.
+double oddsFactor(double share) { return std::min(1.0, share / (1 - share)); }
+
+/// How many of the pairs belong together, if this share does.
+double expectedCount(const std::vector<PairEvidence>& pairs, double share) {
+  const double factor = oddsFactor(share);
+  double sum = 0;
+  for (const PairEvidence& pair : pairs) {
+    double right = 0;
+    for (const EdgeCandidate& candidate : pair.candidates) {
+      right += factor * candidate.probability;
+    }
+    sum += right / (right + pair.none);
+  }
+  return sum;
+}
+
 }  // namespace
 
 bool isSamePose(const PoseGap& gap, const Footprint& a, const Footprint& b,
@@ -91,6 +109,28 @@ PairEvidence evidenceOf(const MapPair& pair, const Footprint& a, const Footprint
   }
   evidence.none = std::max(1 - sum, kLeastNone);
   return evidence;
+}
+
+void weighByBaseRate(std::vector<PairEvidence>& pairs) {
+  constexpr int most_rounds = 100;
+  const auto count = static_cast<double>(pairs.size());
+  double share = 0.5;
+  for (int round = 0; round < most_rounds; ++round) {
+    // As if one more pair that belongs together had been seen, and one that does not.
+    share = (1 + expectedCount(pairs, share)) / (2 + count);
+  }
+  const double factor = oddsFactor(share);
+  for (PairEvidence& pair : pairs) {
+    double sum = pair.none;
+    for (EdgeCandidate& candidate : pair.candidates) {
+      candidate.probability *= factor;
+      sum += candidate.probability;
+    }
+    pair.none /= sum;
+    for (EdgeCandidate& candidate : pair.candidates) {
+      candidate.probability /= sum;
+    }
+  }
 }
 
 }  // namespace sbox
