@@ -2,21 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox-bench/method_list.h"
 
+#include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "sbox-bench/methods/correlation.h"
 #include "sbox-bench/methods/hough_matching.h"
 #include "sbox-bench/methods/keypoints.h"
+#include "sbox-bench/methods/map_merge.h"
+#include "sbox-bench/methods/mrpt_aligner.h"
 #include "sbox/match_pair.h"
 #include "sbox/paper/paper_method.h"
 
 namespace sbox::bench {
 namespace {
-
-struct Entry {
-  const char* name;
-  Method (*make)();
-};
 
 Method makeKeypoints(KeypointKind kind) {
   KeypointOptions options;
@@ -36,29 +35,34 @@ Method makePaper() {
       [](const PaperFeatures& a, const PaperFeatures& b) { return matchPaper(a, b); });
 }
 
-constexpr Entry kMethods[] = {
-    {"boxes", [] { return makeBoxes(); }},
-    {"paper", [] { return makePaper(); }},
-    {"orb", [] { return makeKeypoints(KeypointKind::Orb); }},
-    {"sift", [] { return makeKeypoints(KeypointKind::Sift); }},
-    {"hough", [] { return houghMethod(); }},
-    {"correlation", [] { return correlationMethod(); }},
-};
+std::vector<Method> allMethods() {
+  std::vector<Method> methods{makeBoxes(),
+                              makePaper(),
+                              makeKeypoints(KeypointKind::Orb),
+                              makeKeypoints(KeypointKind::Sift),
+                              houghMethod(),
+                              correlationMethod(),
+                              mapMergeMethod()};
+  if (std::optional<Method> mrpt = mrptMethod()) {
+    methods.push_back(*std::move(mrpt));
+  }
+  return methods;
+}
 
 }  // namespace
 
 std::vector<std::string> methodNames() {
   std::vector<std::string> names;
-  for (const Entry& entry : kMethods) {
-    names.emplace_back(entry.name);
+  for (const Method& method : allMethods()) {
+    names.push_back(method.name);
   }
   return names;
 }
 
 Method methodByName(const std::string& name) {
-  for (const Entry& entry : kMethods) {
-    if (name == entry.name) {
-      return entry.make();
+  for (Method& method : allMethods()) {
+    if (name == method.name) {
+      return std::move(method);
     }
   }
   throw std::invalid_argument("no method is called " + name);
