@@ -67,8 +67,8 @@ std::optional<cv::Matx33d> similarity(std::vector<cv::detail::ImageFeatures> ima
   if (!adjust(images, matches, cameras)) {
     return std::nullopt;
   }
-  const cv::Matx33d a_in_reference(cameras[0].R), b_in_reference(cameras[1].R);
-  return a_in_reference.inv() * b_in_reference;
+  const cv::Matx33d reference_to_a(cameras[0].R), reference_to_b(cameras[1].R);
+  return reference_to_a * reference_to_b.inv();
 }
 
 Pose2D rigidPose(const cv::Matx33d& cells_b_to_a, const ImageOfMap& a, const ImageOfMap& b) {
