@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Every peer finds the pose between two views of one drawn flat.
+#include <algorithm>
 #include <cmath>
-#include <random>
+#include <optional>
+#include <stdexcept>
 
 #include "catch.h"
+#include "sbox-bench/method_list.h"
 #include "sbox-bench/methods/correlation.h"
 #include "sbox-bench/methods/hough_matching.h"
 #include "sbox-bench/methods/keypoints.h"
+#include "sbox-bench/methods/map_merge.h"
+#include "sbox-bench/methods/mrpt_aligner.h"
 
 using namespace sbox;
 using namespace sbox::bench;
@@ -48,13 +53,27 @@ struct Peer {
   double radians;  ///< and this angle.
 };
 
-std::vector<Peer> peers() {
+/// Those that do not care about the size of cells.
+std::vector<Peer> resamplingPeers() {
   KeypointOptions orb, sift;
   sift.kind = KeypointKind::Sift;
   return {{correlationMethod(), 0.3, 0.03},
           {houghMethod(), 0.3, 0.03},
           {keypointMethod(orb), 0.75, 0.1},
           {keypointMethod(sift), 0.75, 0.1}};
+}
+
+std::vector<Peer> peers() {
+  std::vector<Peer> result = resamplingPeers();
+  result.push_back({mapMergeMethod(), 0.1, 0.01});
+  if (const std::optional<Method> mrpt = mrptMethod()) {
+    result.push_back({*mrpt, 0.1, 0.01});
+  }
+  return result;
+}
+
+PairResult answer(const Method& method, const Map& a, const Map& b) {
+  return method.match(method.features(a), method.features(b));
 }
 
 }  // namespace
@@ -67,7 +86,7 @@ TEST_CASE("each peer finds a moved and turned view", "[bench][methods]") {
     const Map b = view(a_in_flat + pose_b_in_a, 0.05, {-15, -15, 0});
     for (const auto& [method, metres, radians] : peers()) {
       INFO(method.name << " at " << pose_b_in_a.phi);
-      const PairResult result = method.match(method.features(a), method.features(b));
+      const PairResult result = answer(method, a, b);
       REQUIRE(result.has_pose);
       CHECK(result.verdict == Verdict::Accepted);
       const Pose2D error = inverse(pose_b_in_a) + result.pose_b_in_a;
@@ -77,13 +96,13 @@ TEST_CASE("each peer finds a moved and turned view", "[bench][methods]") {
   }
 }
 
-TEST_CASE("each peer joins maps of unlike cell size", "[bench][methods]") {
+TEST_CASE("peers that resample join maps of unlike cell size", "[bench][methods]") {
   const Pose2D pose_b_in_a(1, -2, 0.7);
   const Map a = view({}, 0.05, {-8, -9, 0});
   const Map b = view(pose_b_in_a, 0.025, {-16, -15, 0});
-  for (const auto& [method, metres, radians] : peers()) {
+  for (const auto& [method, metres, radians] : resamplingPeers()) {
     INFO(method.name);
-    const PairResult result = method.match(method.features(a), method.features(b));
+    const PairResult result = answer(method, a, b);
     const Pose2D error = inverse(pose_b_in_a) + result.pose_b_in_a;
     CHECK(std::hypot(error.x, error.y) < metres);
     CHECK(std::abs(wrapAngle(error.phi)) < radians);
@@ -97,10 +116,68 @@ TEST_CASE("a peer refuses a map without cells", "[bench][methods]") {
     INFO(method.name);
     for (const auto& [a, b] :
          {std::pair(&flat, &nothing), std::pair(&nothing, &flat), std::pair(&nothing, &nothing)}) {
-      const PairResult result = method.match(method.features(*a), method.features(*b));
+      const PairResult result = answer(method, *a, *b);
       CHECK_FALSE(result.has_pose);
       CHECK(result.verdict == Verdict::Rejected);
       CHECK_FALSE(result.reason.empty());
     }
   }
+}
+
+TEST_CASE("each peer gives the same answer again", "[bench][methods]") {
+  const Map a = view({}, 0.05, {-8, -9, 0}), b = view({1, -2, 0.7}, 0.05, {-16, -15, 0});
+  for (const Peer& peer : peers()) {
+    INFO(peer.method.name);
+    const PairResult first = answer(peer.method, a, b), second = answer(peer.method, a, b);
+    CHECK(first.pose_b_in_a == second.pose_b_in_a);
+    CHECK(first.confidence == second.confidence);
+  }
+}
+
+TEST_CASE("the similarity of map_merge takes up unlike cell sizes", "[bench][methods]") {
+  const Pose2D pose_b_in_a(1, -2, 0.7);
+  const Map a = view({}, 0.05, {-8, -9, 0}), b = view(pose_b_in_a, 0.025, {-16, -15, 0.5});
+  MapMergeOptions options;
+  options.confidence = 0.4;  // Fewer keypoints agree than the package asks for.
+  const PairResult result = answer(mapMergeMethod(options), a, b);
+  REQUIRE(result.has_pose);
+  const Pose2D error = inverse(pose_b_in_a) + result.pose_b_in_a;
+  CHECK(std::hypot(error.x, error.y) < 0.1);
+  CHECK(std::abs(wrapAngle(error.phi)) < 0.01);
+}
+
+TEST_CASE("map_merge refuses below its confidence", "[bench][methods]") {
+  const Map flat = view({}, 0.05, {-8, -9, 0});
+  MapMergeOptions options;
+  options.confidence = 10;  // More than inliers / (8 + 0.3 matches) can be.
+  CHECK(answer(mapMergeMethod(), flat, flat).verdict == Verdict::Accepted);
+  const PairResult result = answer(mapMergeMethod(options), flat, flat);
+  CHECK(result.verdict == Verdict::Rejected);
+  CHECK_FALSE(result.has_pose);
+}
+
+TEST_CASE("MRPT's aligner refuses maps of unlike cell size", "[bench][methods]") {
+  const std::optional<Method> mrpt = mrptMethod();
+  if (!mrpt) {
+    WARN("skipped: this MRPT has no CGridMapAligner");
+    return;
+  }
+  const PairResult result = answer(*mrpt, view({}, 0.05, {-8, -9, 0}), view({}, 0.1, {-8, -9, 0}));
+  CHECK(result.verdict == Verdict::Rejected);
+  CHECK_FALSE(result.has_pose);
+  CHECK_FALSE(result.reason.empty());
+}
+
+TEST_CASE("a method is found by each name that is listed", "[bench][methods]") {
+  const std::vector<std::string> names = methodNames();
+  for (const std::string& name : names) {
+    CHECK(methodByName(name).name == name);
+    CHECK(std::count(names.begin(), names.end(), name) == 1);
+  }
+  const auto listed = [&](const char* name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  CHECK(listed("map_merge"));
+  CHECK(listed("mrpt") == mrptMethod().has_value());
+  CHECK_THROWS_AS(methodByName("nonsense"), std::invalid_argument);
 }

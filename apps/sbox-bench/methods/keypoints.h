@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Image keypoints (OpenCV's ORB or SIFT) of the two maps, matched by descriptor, then a rigid
-// RANSAC: what multirobot_map_merge does, without its similarity fit. Occupancy images have few
-// corners that look unlike each other, so most matches are wrong.
+// RANSAC: the idea of multirobot_map_merge (map_merge.h) without its similarity fit. Occupancy
+// images have few corners that look unlike each other, so most matches are wrong.
 #pragma once
 
 #include <vector>
