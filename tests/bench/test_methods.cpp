@@ -156,6 +156,16 @@ TEST_CASE("map_merge refuses below its confidence", "[bench][methods]") {
   CHECK_FALSE(result.has_pose);
 }
 
+TEST_CASE("map_merge refuses at its confidence", "[bench][methods]") {
+  const Map a = view({}, 0.05, {-8, -9, 0}), b = view({1, -2, 0.5}, 0.025, {-16, -15, 0.5});
+  MapMergeOptions options;
+  options.confidence = answer(mapMergeMethod(), a, b).confidence;
+  REQUIRE(options.confidence < 1);
+  CHECK(answer(mapMergeMethod(options), a, b).verdict == Verdict::Rejected);
+  options.confidence -= 1e-6;
+  CHECK(answer(mapMergeMethod(options), a, b).verdict == Verdict::Accepted);
+}
+
 TEST_CASE("MRPT's aligner refuses maps of unlike cell size", "[bench][methods]") {
   const std::optional<Method> mrpt = mrptMethod();
   if (!mrpt) {

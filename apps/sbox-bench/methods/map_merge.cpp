@@ -51,7 +51,8 @@ std::optional<cv::Matx33d> similarity(std::vector<cv::detail::ImageFeatures> ima
                                       double confidence) {
   const std::vector<int> merged =
       cv::detail::leaveBiggestComponent(images, matches, static_cast<float>(confidence));
-  if (merged.size() < 2) {
+  // At the threshold itself nothing is left to adjust: OpenCV throws, and the package ends there.
+  if (merged.size() < 2 || matches[1].confidence <= confidence) {
     return std::nullopt;
   }
   std::vector<cv::detail::CameraParams> cameras;
