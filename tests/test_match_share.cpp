@@ -93,16 +93,16 @@ TEST_CASE("shares of other maps, other options or other numbers are refused by n
   MergeOptions other;
   other.pair.votes.bin = 0.7;
   CHECK(refusal(maps, other, shares) ==
-        "0 was made with other options, or by another version of sbox-merge");
+        "2 was made with other options, or by another version of sbox-merge");
   MergeOptions fusion_only;
   fusion_only.fusion.rule = FusionRule::Table;
   CHECK(refusal(maps, fusion_only, shares).empty());
   std::vector<Map> exchanged = maps;
   std::swap(exchanged[0], exchanged[1]);
-  CHECK(refusal(exchanged, {}, shares) == "0 was made of other maps, or of these in another order");
+  CHECK(refusal(exchanged, {}, shares) == "2 was made of other maps, or of these in another order");
   std::vector<Map> changed = maps;
   changed[3].grid.setCell(0, 0, 0.123F);
-  CHECK(refusal(changed, {}, shares) == "0 was made of other maps, or of these in another order");
+  CHECK(refusal(changed, {}, shares) == "2 was made of other maps, or of these in another order");
 }
 
 TEST_CASE("a share that names what does not exist is refused", "[match_share]") {

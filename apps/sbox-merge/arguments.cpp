@@ -8,6 +8,7 @@
 #include <iostream>
 #include <map>
 
+#include "sbox-merge/load_inputs.h"
 #include "sbox/config/config_file.h"
 #include "sbox/io/file_bytes.h"
 #include "sbox/io/initial_file.h"
@@ -22,7 +23,8 @@ constexpr const char* description =
     "with --resolution. Robots' logs: .rawlog[.gz] (MRPT), mapped by SLAM first.";
 
 constexpr const char* footer =
-    "Exit codes: 0 every map is part of the merged map; 1 an input or output cannot be used;\n"
+    "Exit codes: 0 every map is part of the merged map, or --pairs wrote its share; 1 an input or\n"
+    "output cannot be used;\n"
     "2 wrong usage; 3 not every map could be placed with confidence (the report says why; of two\n"
     "maps nothing is merged then).\n"
     "Example: sbox-merge --in a.yaml b.yaml --out merged.yaml --report report.json --pictures why";
@@ -132,7 +134,8 @@ void addChoices(CLI::App& app, Arguments& arguments, Texts& texts) {
       ->type_name("FILE.ini");
   app.add_option("--pairs", texts.pairs,
                  "Match only share K of N of the pairs and write them to --report; nothing is\n"
-                 "merged. For other machines to match the other shares of the same maps")
+                 "merged. For other machines to match the other shares of the same maps; no more\n"
+                 "shares than maps")
       ->type_name("K/N");
   app.add_option("--join", arguments.joined,
                  "Merge by what all N shares of --pairs found, instead of matching")
@@ -165,6 +168,12 @@ void checkShare(const Arguments& arguments) {
   }
   if (!arguments.joined.empty()) {
     throw UsageError("--pairs and --join exclude each other");
+  }
+  for (const std::string& input : arguments.inputs) {
+    if (isRawlog(input)) {
+      throw UsageError("--pairs takes maps, not logs: map " + input +
+                       " first, then give its .simplemap");
+    }
   }
   for (const std::string& file :
        {arguments.html, arguments.pictures, arguments.tf, arguments.graph, arguments.simplemap}) {

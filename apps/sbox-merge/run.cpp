@@ -49,15 +49,20 @@ void tellShare(const Arguments& arguments, const MatchedShare& share) {
   }
 }
 
-/// What --join knows of the pairs; nothing without it.
-MatchStore joinedPairs(const Inputs& inputs, const Arguments& arguments,
-                       const ProgressFunction& tell) {
-  if (arguments.joined.empty()) {
-    return {};
-  }
+std::vector<MatchedShare> loadShares(const std::vector<std::string>& files) {
   std::vector<MatchedShare> shares;
-  for (const std::string& file : arguments.joined) {
+  shares.reserve(files.size());
+  for (const std::string& file : files) {
     shares.push_back(loadShare(file));
+  }
+  return shares;
+}
+
+/// What the shares know of the pairs; nothing without shares.
+MatchStore joined(const std::vector<MatchedShare>& shares, const Inputs& inputs,
+                  const Arguments& arguments, const ProgressFunction& tell) {
+  if (shares.empty()) {
+    return {};
   }
   try {
     return joinShares(inputs.maps, arguments.merge, shares, tell);
@@ -80,6 +85,7 @@ int run(const Arguments& arguments) {
     line.show(stage, done, total);
   };
   checkOutputs(arguments);
+  const std::vector<MatchedShare> shares = loadShares(arguments.joined);
   const Inputs inputs = loadInputs(arguments, tell);
   const double load_seconds = stopwatch.seconds();
   if (arguments.share) {
@@ -89,7 +95,7 @@ int run(const Arguments& arguments) {
     tellShare(arguments, share);
     return 0;
   }
-  MatchStore known = joinedPairs(inputs, arguments, tell);
+  MatchStore known = joined(shares, inputs, arguments, tell);
   MergeResult result = mergeMaps(inputs.maps, arguments.merge, known, tell);
   result.seconds.load = load_seconds;
   GroupKeyFrames key_frames;

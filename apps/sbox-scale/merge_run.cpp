@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <stdexcept>
 
 #include "sbox/stopwatch.h"
 
@@ -24,8 +25,12 @@ MergeRun runMerge(const std::string& command, const std::filesystem::path& folde
   }
   argv.push_back(nullptr);
 
+  std::filesystem::remove(folder / "r.json");
   const Stopwatch stopwatch;
   const pid_t child = fork();
+  if (child < 0) {
+    throw std::runtime_error("no further process can be started");
+  }
   if (child == 0) {
     if (chdir(folder.c_str()) == 0) {
       execv(command.c_str(), argv.data());

@@ -20,7 +20,7 @@ struct MergeRun {
 };
 
 /// Runs `command --in MAPS... --report r.json -q ARGUMENTS...` in the folder, with all that it
-/// writes by default. The report's folder is read afterwards.
+/// writes by default. The report is read afterwards.
 [[nodiscard]] MergeRun runMerge(const std::string& command, const std::filesystem::path& folder,
                                 const std::vector<std::string>& maps,
                                 const std::vector<std::string>& arguments = {});

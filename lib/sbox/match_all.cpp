@@ -57,8 +57,8 @@ std::optional<GuessedPoses> guessOf(const std::vector<const InitialGuess*>& gues
   if (a == nullptr || b == nullptr) {
     return std::nullopt;
   }
-  return GuessedPoses{a->pose, b->pose, std::hypot(a->sigma_xy, b->sigma_xy),
-                      std::hypot(a->sigma_phi, b->sigma_phi)};
+  return GuessedPoses{a->pose, b->pose, std::hypot(a->sigma_xy, b->sigma_xy), a->sigma_phi,
+                      b->sigma_phi};
 }
 
 /// Every so many of the pairs.
@@ -114,8 +114,8 @@ std::vector<PairIndex> pairsToMatch(const std::vector<Footprint>& footprints,
   return pairs;
 }
 
-void matchPairs(const std::vector<PairIndex>& pairs, const MergeOptions& options, MatchStore& store,
-                const ProgressFunction& tell) {
+std::vector<PairIndex> matchPairs(const std::vector<PairIndex>& pairs, const MergeOptions& options,
+                                  MatchStore& store, const ProgressFunction& tell) {
   std::vector<PairIndex> missing;
   std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(missing),
                [&](const PairIndex& pair) { return store.results.count(pair) == 0; });
@@ -135,6 +135,7 @@ void matchPairs(const std::vector<PairIndex>& pairs, const MergeOptions& options
   for (size_t i = 0; i < missing.size(); ++i) {
     store.results.emplace(missing[i], std::move(results[i]));
   }
+  return missing;
 }
 
 std::vector<MapPair> matchedPairs(const std::vector<PairIndex>& pairs, const MatchStore& store) {

@@ -37,9 +37,10 @@ void extractAll(const std::vector<Map>& maps, const MergeOptions& options, Match
                                                   const ProgressFunction& tell = {},
                                                   const PairShare& share = {});
 
-/// Matches those of the pairs that have no result. Needs the features of their maps.
-void matchPairs(const std::vector<PairIndex>& pairs, const MergeOptions& options, MatchStore& store,
-                const ProgressFunction& tell = {});
+/// Matches those of the pairs that have no result, and names them. Needs the features of their
+/// maps.
+std::vector<PairIndex> matchPairs(const std::vector<PairIndex>& pairs, const MergeOptions& options,
+                                  MatchStore& store, const ProgressFunction& tell = {});
 
 /// The pairs with their results, which the store must have.
 [[nodiscard]] std::vector<MapPair> matchedPairs(const std::vector<PairIndex>& pairs,

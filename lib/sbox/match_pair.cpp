@@ -159,6 +159,10 @@ std::vector<Fit> findFits(const MapFeatures& a, const MapFeatures& b, const Pair
   // What no corner or box proposes.
   stopwatch = Stopwatch();
   std::vector<Hypothesis> searched = searchByCorrelation(a, b, options.correlation);
+  // The headings and cells that are tried depend on which map is turned.
+  for (const Hypothesis& hypothesis : searchByCorrelation(b, a, options.correlation)) {
+    searched.push_back({hypothesis.b_in_a.inverse(), hypothesis.votes});
+  }
   seconds.matching += stopwatch.seconds();
   isSure(std::move(searched), true);
   return fits;
@@ -173,6 +177,7 @@ PairResult matchPair(const MapFeatures& a, const MapFeatures& b, const PairOptio
   std::optional<GuessedPoses> turned = guess;
   if (turned) {
     std::swap(turned->pose_a, turned->pose_b);
+    std::swap(turned->sigma_phi_a, turned->sigma_phi_b);
   }
   return exchanged(matchInOrder(b, a, options, turned));
 }

@@ -9,6 +9,7 @@
 #include "sbox/config/config_file.h"
 #include "sbox/core/digest.h"
 #include "sbox/core/parallel.h"
+#include "sbox/verification/verdict_model.h"
 
 namespace sbox {
 namespace {
@@ -43,7 +44,10 @@ std::uint64_t optionsDigest(const MergeOptions& options) {
   matching.retrieval = options.retrieval;
   const std::string text = dumpConfig(matching) + SBOX_VERSION;
   Digest digest;
-  digest.add(text.data(), text.size());
+  const VerdictModel model;
+  digest.add(text.data(), text.size())
+      .add(model.weights.data(), sizeof(model.weights))
+      .add(model.none);
   for (const InitialGuess& guess : options.initial) {
     digest.add(guess.map)
         .add(guess.pose.x)
@@ -115,7 +119,12 @@ MatchStore joinShares(const std::vector<Map>& maps, const MergeOptions& options,
   const std::vector<std::uint64_t> map_digests = mapDigests(maps, options.threads);
   MatchStore store;
   extractAll(maps, options, store, tell);
+  // By number, so that the order of the files never matters.
+  std::vector<size_t> order(shares.size());
   for (size_t i = 0; i < shares.size(); ++i) {
+    order[static_cast<size_t>(shares[i].share.number - 1)] = i;
+  }
+  for (const size_t i : order) {
     const MatchedShare& share = shares[i];
     if (share.options_digest != options_digest) {
       throw ShareError(i, "was made with other options, or by another version of sbox-merge");

@@ -21,7 +21,7 @@ namespace sbox {
 /// The results of one share.
 struct MatchedShare {
   PairShare share;                         ///< Which.
-  std::uint64_t options_digest = 0;        ///< Of all that decides how pairs are matched.
+  std::uint64_t options_digest = 0;        ///< Of what a configuration can set of matching.
   std::vector<std::uint64_t> map_digests;  ///< Of all maps, in their order.
   std::vector<MapPair> pairs;              ///< Ordered by a, then b.
 };

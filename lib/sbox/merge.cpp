@@ -102,7 +102,12 @@ MergeResult mergeMaps(const std::vector<Map>& maps, const MergeOptions& options,
   const Stopwatch retrieval_stopwatch;
   const std::vector<PairIndex> pairs = pairsToMatch(footprints, options, known, progress);
   result.seconds.matching = retrieval_stopwatch.seconds();
-  matchPairs(pairs, options, known, progress);
+  for (const PairIndex& pair : matchPairs(pairs, options, known, progress)) {
+    const PairSeconds& seconds = known.results.at(pair).seconds;
+    result.seconds.matching += seconds.matching;
+    result.seconds.verification += seconds.verification;
+    result.seconds.refinement += seconds.refinement;
+  }
   result.pairs = matchedPairs(pairs, known);
   // Which maps belong together, and where each lies.
   const PlacementResult placed =
@@ -112,11 +117,7 @@ MergeResult mergeMaps(const std::vector<Map>& maps, const MergeOptions& options,
     result.maps.push_back(outcomeOf(maps[i], placed.maps[i], features));
   }
   for (size_t i = 0; i < result.pairs.size(); ++i) {
-    MapPair& pair = result.pairs[i];
-    pair.settlement = placed.settlements[i];
-    result.seconds.matching += pair.result.seconds.matching;
-    result.seconds.verification += pair.result.seconds.verification;
-    result.seconds.refinement += pair.result.seconds.refinement;
+    result.pairs[i].settlement = placed.settlements[i];
   }
   // Section 3.3: fusion.
   const Stopwatch fusion_stopwatch;

@@ -42,8 +42,8 @@ struct MergedGroup {
   double conflict_share = 0;  ///< Share of the cells known to several maps on which they differ.
 };
 
-/// Wall time of each stage, in seconds. Matching, verification and refinement are sums over pairs,
-/// which run side by side.
+/// Wall time of each stage, in seconds. Matching, verification and refinement are sums over the
+/// pairs that were matched in this call, which run side by side.
 struct StageSeconds {
   double load = 0;          ///< Reading files; the caller's to fill in.
   double features = 0;      ///< Of all maps.

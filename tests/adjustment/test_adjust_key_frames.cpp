@@ -55,6 +55,23 @@ TEST_CASE("the reference's key frames do not move on average", "[adjustment]") {
   CHECK(apart(0) < apart(-1e-3));
 }
 
+TEST_CASE("a map that no scan ties to the reference stays where it was placed", "[adjustment]") {
+  const DriftedRobots robots;
+  const Pose2D far_away(100, -50, 1);
+  const std::vector<PlacedKeyFrames> placed{{&robots.of_a, {}}, {&robots.of_b, far_away}};
+  const KeyFrames joined = joinKeyFrames(placed), adjusted = adjustKeyFrames(placed, 0);
+  double x = 0, y = 0, moved = 0;
+  for (size_t i = robots.of_a.size(); i < joined.size(); ++i) {
+    const Pose2D before = poseOf(joined[i]), after = poseOf(adjusted[i]);
+    x += after.x - before.x;
+    y += after.y - before.y;
+    moved += std::hypot(after.x - before.x, after.y - before.y);
+  }
+  CHECK(x == Approx(0).margin(1e-6));
+  CHECK(y == Approx(0).margin(1e-6));
+  CHECK(moved > 0.1);
+}
+
 TEST_CASE("key frames that fit each other stay", "[adjustment]") {
   const DriftedRobots robots(0, {});
   const KeyFrames joined = joinKeyFrames(robots.placed());

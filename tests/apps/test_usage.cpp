@@ -87,6 +87,8 @@ TEST_CASE("wrong usage ends in 2 and says what is wrong") {
     checkFailure(folder, with({"--pairs", share, "--report", "r.json"}), 2,
                  "--pairs must be K/N with K from 1 to N, not " + std::string(share));
   }
+  checkFailure(folder, {"--in", "a.gridmap", "b.rawlog", "--pairs", "1/2", "--report", "r.json"}, 2,
+               "--pairs takes maps, not logs: map b.rawlog first, then give its .simplemap");
   checkFailure(folder, with({"--pairs", "1/2"}), 2, "--pairs needs a --report to write to");
   checkFailure(folder, with({"--pairs", "1/2", "--report", "r.json", "--html", "p.html"}), 2,
                "--pairs merges nothing, so that there is no p.html to write");

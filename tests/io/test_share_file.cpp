@@ -98,6 +98,9 @@ TEST_CASE("what --pairs did not write is refused in one line", "[share_file]") {
   CHECK(isRefused(changed("\"a\":0", "\"a\":0.5")));
   CHECK(isRefused(changed("ambiguous", "sure")));
   CHECK(isRefused(changed("12.5", "1e999")));
+  CHECK(isRefused(changed("\"a\":0", "\"a\":18446744073709551615")));
+  CHECK(isRefused(changed("[4.0,5.0,6.0]", "[1e300,5.0,6.0]")));
+  CHECK(isRefused(changed("[4.0,5.0,6.0]", "[4.0,5.0,1e6]")));
   CHECK(isRefused(changed("12.5", "null")));
   CHECK(isRefused(changed("12.5", "true")));
   CHECK(isRefused(changed("0.25", "1.25")));

@@ -97,7 +97,7 @@ TEST_CASE("only accepted pairs of enough confidence join maps") {
   CHECK(placed.maps[3].group == 1);
   CHECK(placed.groups[1].reference == 1);
   PlacementOptions strict;
-  strict.min_confidence = 0.5;
+  strict.min_confidence = 0.4;  // 0.6 counts for a little less where not half of the pairs join.
   CHECK(placeMaps(points(4), pairs, {}, strict).groups.size() == 3);
 }
 

@@ -180,7 +180,10 @@ TEST_CASE("the answer is at least as near to the truth as that of MRPT's own ali
   mrpt::maps::CMultiMetricMap m1, m2;
   for (const auto& [map, grid] : {std::pair(&m1, &grids.m1), std::pair(&m2, &grids.m2)}) {
     map->maps.push_back(std::make_shared<COccupancyGridMap2D>(*grid));
-    map->maps.push_back(mrpt::maps::CSimplePointsMap::Create());
+    // Its goodness of fit is that of ICP on these points.
+    const auto points = mrpt::maps::CSimplePointsMap::Create();
+    grid->getAsPointCloud(*points);
+    map->maps.push_back(points);
   }
   mrpt::slam::CGridMapAligner theirs;
   theirs.setVerbosityLevel(mrpt::system::LVL_ERROR);

@@ -5,9 +5,13 @@
 #include <mrpt/poses/CPose3D.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "sbox/core/parallel.h"
 #include "sbox/placement/pose_graph.h"
@@ -74,18 +78,45 @@ std::vector<GraphEdge> edgesAt(const std::vector<Pose2D>& poses, const Scene& sc
   return edges;
 }
 
-/// Moves all poses so that those from `first` to `end` lie, on average, where they lay before.
-void putBack(std::vector<Pose2D>& poses, const std::vector<Pose2D>& before, size_t first,
-             size_t end) {
+/// The poses by what the edges tie together, each part in ascending order.
+std::vector<std::vector<size_t>> partsOf(size_t pose_count, const std::vector<GraphEdge>& edges) {
+  std::vector<size_t> root(pose_count);
+  std::iota(root.begin(), root.end(), size_t{0});
+  const auto rootOf = [&](size_t pose) {
+    while (root[pose] != pose) {
+      pose = root[pose] = root[root[pose]];
+    }
+    return pose;
+  };
+  for (const GraphEdge& edge : edges) {
+    const size_t a = rootOf(static_cast<size_t>(edge.a)), b = rootOf(static_cast<size_t>(edge.b));
+    root[std::max(a, b)] = std::min(a, b);
+  }
+  std::vector<std::vector<size_t>> of_root(pose_count), parts;
+  for (size_t pose = 0; pose < pose_count; ++pose) {
+    of_root[rootOf(pose)].push_back(pose);
+  }
+  for (std::vector<size_t>& part : of_root) {
+    if (!part.empty()) {
+      parts.push_back(std::move(part));
+    }
+  }
+  return parts;
+}
+
+/// Moves the poses of a part so that its anchors lie, on average, where they lay before.
+void putBack(std::vector<Pose2D>& poses, const std::vector<Pose2D>& before,
+             const std::vector<size_t>& part, const std::vector<size_t>& anchors) {
   const auto place = [](const Pose2D& pose) { return Eigen::Vector2d(pose.x, pose.y); };
+  const auto count = static_cast<double>(anchors.size());
   Eigen::Vector2d mean = Eigen::Vector2d::Zero(), mean_before = Eigen::Vector2d::Zero();
-  for (size_t i = first; i < end; ++i) {
-    mean += place(poses[i]) / static_cast<double>(end - first);
-    mean_before += place(before[i]) / static_cast<double>(end - first);
+  for (const size_t i : anchors) {
+    mean += place(poses[i]) / count;
+    mean_before += place(before[i]) / count;
   }
   // A radian of heading counts as a metre: a robot that stood still has no other.
   double sine = 0, cosine = 0;
-  for (size_t i = first; i < end; ++i) {
+  for (const size_t i : anchors) {
     const Eigen::Vector2d from = place(poses[i]) - mean, to = place(before[i]) - mean_before;
     const double turn = before[i].phi - poses[i].phi;
     sine += from.x() * to.y() - from.y() * to.x() + std::sin(turn);
@@ -94,8 +125,8 @@ void putBack(std::vector<Pose2D>& poses, const std::vector<Pose2D>& before, size
   const double turn = std::atan2(sine, cosine);
   const Eigen::Vector2d shift = mean_before - Eigen::Rotation2Dd(turn) * mean;
   const Pose2D correction(shift.x(), shift.y(), turn);
-  for (Pose2D& pose : poses) {
-    pose = correction + pose;
+  for (const size_t i : part) {
+    poses[i] = correction + poses[i];
   }
 }
 
@@ -128,13 +159,19 @@ KeyFrames adjustKeyFrames(const std::vector<PlacedKeyFrames>& maps, size_t refer
   PoseGraphOptions graph;
   graph.loss_scale = options.loss_scale;
   StageProgress rounds(progress, "adjustment", options.rounds);
+  std::vector<GraphEdge> edges;
   for (int round = 0; round < options.rounds; ++round) {
-    poses = solvePoseGraph(poses, static_cast<int>(first), edgesAt(poses, scene, options, threads),
-                           graph)
-                .poses;
+    edges = edgesAt(poses, scene, options, threads);
+    poses = solvePoseGraph(poses, static_cast<int>(first), edges, graph).poses;
     rounds.partDone();
   }
-  putBack(poses, before, first, end);
+  // What nothing ties to the reference stays where it was placed.
+  for (const std::vector<size_t>& part : partsOf(poses.size(), edges)) {
+    std::vector<size_t> anchors;
+    std::copy_if(part.begin(), part.end(), std::back_inserter(anchors),
+                 [&](size_t i) { return i >= first && i < end; });
+    putBack(poses, before, part, anchors.empty() ? part : anchors);
+  }
   KeyFrames adjusted;
   for (size_t i = 0; i < frames.size(); ++i) {
     const Pose2D correction = poses[i] + inverse(before[i]);

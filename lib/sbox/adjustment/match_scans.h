@@ -19,7 +19,7 @@ struct ScanMatchOptions {
   double last_gate = 0.15;  ///< ... it shrinks to this in the last.
   double most_turn = 0.5;   ///< Surfaces that face more different ways do not match, radians.
   double kernel = 0.05;     ///< Scale of the robust kernel, metres.
-  int iterations = 10;      ///< At most.
+  int iterations = 10;      ///< All are done.
   double noise = 0.1;       ///< Standard deviation of a point that counts as independent, metres.
   double least_overlap = 0.4;  ///< Share of the points, of the frame with fewer, that must match.
   double most_shift = 0.5;     ///< Between start and answer, metres: farther is no answer.

@@ -13,7 +13,10 @@ Digest& Digest::add(const void* bytes, std::size_t count) {
   for (std::size_t i = 0; i < count; i += sizeof(std::uint64_t)) {
     std::uint64_t block = 0;
     std::memcpy(&block, from + i, std::min(sizeof(block), count - i));
-    value_ = (value_ ^ block) * 1099511628211ULL;
+    value_ = (value_ ^ block) * 0xff51afd7ed558ccdULL;
+    value_ =
+        (value_ ^ (value_ >> 32)) * 0xc4ceb9fe1a85ec53ULL;  // Multiplication carries upwards only.
+    value_ ^= value_ >> 32;
   }
   return *this;
 }

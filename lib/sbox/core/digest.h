@@ -9,8 +9,8 @@
 
 namespace sbox {
 
-/// FNV-1a over bytes, eight at a time: tells whether two things are the same, against accidents but
-/// not against malice.
+/// Bytes mixed eight at a time in the manner of MurmurHash3: tells whether two things are the same,
+/// against accidents but not against malice.
 class Digest {
  public:
   /// Adds bytes.

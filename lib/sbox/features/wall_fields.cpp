@@ -104,7 +104,8 @@ int gridIndex(double origin, int i, const WallFields& fields, const StateGrid& g
 void fillDepth(const StateGrid& grid, WallFields& fields) {
   // Band by band, to need little memory at once: nothing further off than a margin matters.
   constexpr int band = 512;
-  const int margin = ceilToInt(WallFields::far * WallFields::unit / grid.resolution) + 1;
+  // The chamfer distance counts 0.955 for a row.
+  const int margin = ceilToInt(WallFields::far * WallFields::unit / (0.95 * grid.resolution)) + 1;
   std::vector<int> columns;
   for (int x = 0; x < fields.width; ++x) {
     columns.push_back(gridIndex(fields.origin.x(), x, fields, grid));

@@ -55,11 +55,10 @@ Json pairJson(const MapPair& pair) {
 // What follows throws std::exception of one kind or another if the JSON is not as above.
 
 double finite(const Json& json) {
-  const auto number = json.get<double>();
-  if (!json.is_number() || !std::isfinite(number)) {
+  if (!json.is_number() || !std::isfinite(json.get<double>())) {
     throw std::invalid_argument("a number is missing");
   }
-  return number;
+  return json.get<double>();
 }
 
 double probability(const Json& json) {
@@ -72,11 +71,11 @@ double probability(const Json& json) {
 
 int whole(const Json& json) {
   constexpr std::int64_t most = 1 << 30;
-  const auto number = json.get<std::int64_t>();
-  if (!json.is_number_integer() || number < 0 || number > most) {
+  if (!json.is_number_integer() || json.get<std::int64_t>() < 0 ||
+      json.get<std::int64_t>() > most) {
     throw std::invalid_argument("an index is not a whole number");
   }
-  return static_cast<int>(number);
+  return json.get<int>();
 }
 
 const Json& listOf(const Json& json, size_t count) {
@@ -87,8 +86,14 @@ const Json& listOf(const Json& json, size_t count) {
 }
 
 Pose2D poseFrom(const Json& json) {
+  constexpr double most_metres = 1e9, most_radians = 10;
   listOf(json, 3);
-  return {finite(json[0]), finite(json[1]), finite(json[2])};
+  const Pose2D pose(finite(json[0]), finite(json[1]), finite(json[2]));
+  if (std::abs(pose.x) > most_metres || std::abs(pose.y) > most_metres ||
+      std::abs(pose.phi) > most_radians) {
+    throw std::invalid_argument("a pose is beyond measure");
+  }
+  return pose;
 }
 
 std::optional<Pose2D> optionalPose(const Json& json) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "sbox/core/round.h"
+
 namespace sbox {
 namespace {
 
@@ -23,11 +25,16 @@ GuessedMiddle guessedMiddle(const MapFeatures& a, const MapFeatures& b, const Gu
   const Pose2D pose = inverse(guess.pose_a + a.grid_in_map) + guess.pose_b + b.grid_in_map;
   GuessedMiddle middle;
   middle.heading = wrapAngle(pose.phi);
-  middle.turn = options.deviations * guess.sigma_phi;
+  middle.turn = options.deviations * std::hypot(guess.sigma_phi_a, guess.sigma_phi_b);
   middle.middle_b = {b.width / 2, b.height / 2};
   const Point2D in_a = pose.composePoint({middle.middle_b.x(), middle.middle_b.y()});
   middle.middle_in_a = {in_a.x, in_a.y};
-  middle.distance = options.deviations * guess.sigma_xy;
+  // A heading that is off moves what lies far from the frame that it turns about.
+  const Point2D in_frame_a = a.grid_in_map.composePoint(in_a);
+  const Point2D in_frame_b = b.grid_in_map.composePoint({middle.middle_b.x(), middle.middle_b.y()});
+  const double spread = std::hypot(guess.sigma_xy, guess.sigma_phi_a * in_frame_a.norm(),
+                                   guess.sigma_phi_b * in_frame_b.norm());
+  middle.distance = options.deviations * spread;
   return middle;
 }
 
@@ -52,9 +59,11 @@ std::vector<Hypothesis> transformsNear(const MapFeatures& a, const MapFeatures& 
                                        const GuessedPoses& guess, const HeadingOptions& headings,
                                        const GuessOptions& options) {
   const GuessedMiddle middle = guessedMiddle(a, b, guess, options);
-  const double side = std::sqrt(static_cast<double>(std::max(options.most, 1)));
-  const double spacing = std::max(options.spacing, 2 * middle.distance / side);
-  const int steps = static_cast<int>(middle.distance / spacing);
+  const int most_steps =
+      static_cast<int>((std::sqrt(static_cast<double>(std::max(options.most, 1))) - 1) / 2);
+  const int steps =
+      std::min(ceilToInt(std::min(middle.distance / options.spacing, 1e6)), most_steps);
+  const double spacing = steps > 0 ? middle.distance / steps : options.spacing;
   std::vector<Hypothesis> hypotheses;
   for (const double heading : headingsNear(a, b, middle, headings)) {
     const Eigen::Vector2d turned = Eigen::Rotation2Dd(heading) * middle.middle_b;

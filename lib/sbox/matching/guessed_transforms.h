@@ -14,10 +14,11 @@ namespace sbox {
 
 /// Rough poses of two maps in some common frame.
 struct GuessedPoses {
-  Pose2D pose_a;         ///< Frame of map a.
-  Pose2D pose_b;         ///< Frame of map b.
-  double sigma_xy = 1;   ///< Standard deviation of b's place in a along each axis, metres.
-  double sigma_phi = 1;  ///< Standard deviation of b's heading in a, radians.
+  Pose2D pose_a;           ///< Frame of map a.
+  Pose2D pose_b;           ///< Frame of map b.
+  double sigma_xy = 1;     ///< Standard deviation of b's frame in a's along each axis, metres.
+  double sigma_phi_a = 1;  ///< Standard deviation of the heading of a, radians.
+  double sigma_phi_b = 1;  ///< Standard deviation of the heading of b, radians.
 };
 
 /// Which transforms count as near a guess.

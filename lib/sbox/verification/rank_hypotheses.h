@@ -40,8 +40,8 @@ struct RankingOptions {
   BoxMatchOptions boxes;       ///< Boxes that count as agreeing.
 };
 
-/// The best distinct fits, with their log odds; those of the usual alignment first, the most
-/// plausible of them before the others. If thorough, a second, more careful alignment is tried,
+/// The best distinct fits, with their log odds, in no order that means anything. If thorough, a
+/// second, more careful alignment is tried,
 /// too, where walls are dense. The order of the hypotheses matters only between equals.
 [[nodiscard]] std::vector<Fit> rankHypotheses(const MapFeatures& a, const MapFeatures& b,
                                               const std::vector<Hypothesis>& hypotheses,
