@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "sbox-bench/judge.h"
 #include "sbox/core/parallel.h"
@@ -174,11 +175,8 @@ VerdictModel fitModel(const std::vector<VerdictSample>& samples, double ridge) {
 std::vector<double> probabilities(const VerdictSample& sample, const VerdictModel& model) {
   std::vector<double> odds;
   double highest = model.none;
-  for (size_t fit = 0; fit < sample.terms.size(); ++fit) {
-    double sum = 0;
-    for (size_t i = 0; i < kVerdictTerms; ++i) {
-      sum += model.weights[i] * sample.terms[fit][i];
-    }
+  for (const auto& terms : sample.terms) {
+    const double sum = std::inner_product(terms.begin(), terms.end(), model.weights.begin(), 0.0);
     odds.push_back(sum);
     highest = std::max(highest, sum);
   }
