@@ -10,8 +10,8 @@ namespace sbox {
 
 /// Two key frames, by their numbers; a < b.
 struct FramePair {
-  int a = 0;
-  int b = 0;
+  int a = 0;  ///< Index of the earlier key frame.
+  int b = 0;  ///< Index of the later key frame.
 };
 
 /// Which key frames may have seen the same.
