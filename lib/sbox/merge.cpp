@@ -110,8 +110,10 @@ MergeResult mergeMaps(const std::vector<Map>& maps, const MergeOptions& options,
   }
   result.pairs = matchedPairs(pairs, known);
   // Which maps belong together, and where each lies.
+  PlacementOptions placement = options.placement;
+  placement.is_calibrated = options.method == Method::Boxes;
   const PlacementResult placed =
-      placeMaps(footprints, result.pairs, options.reference, options.placement, options.initial);
+      placeMaps(footprints, result.pairs, options.reference, placement, options.initial);
   for (size_t i = 0; i < maps.size(); ++i) {
     const FeatureSet& features = featureSetOf(*known.features[i]);
     result.maps.push_back(outcomeOf(maps[i], placed.maps[i], features));

@@ -22,6 +22,7 @@ struct GroupOptions {
   double agreed = 0.95;        ///< Probability from which pairs that agree do, ...
   double witnesses = 1.5;      ///< ... if they are this many; see JoinEvidence.
   double alone = 0.5;          ///< Probability from which an accepted pair adds a single map.
+  bool is_calibrated = true;   ///< Confidences are probabilities: see weighByBaseRate().
   SamePoseOptions same_pose;   ///< When two poses are one.
   PoseGraphOptions graph;      ///< Of the poses within a group.
 };

@@ -87,7 +87,9 @@ PlacementResult placeMaps(const std::vector<Footprint>& maps, const std::vector<
     evidence.push_back(evidenceOf(pairs[i], maps[static_cast<size_t>(pairs[i].a)],
                                   maps[static_cast<size_t>(pairs[i].b)]));
   }
-  weighByBaseRate(evidence);
+  if (options.is_calibrated) {
+    weighByBaseRate(evidence);
+  }
   weighByGuesses(guesses, maps, evidence);
   const std::vector<SettledGroup> settled = groupMaps(maps, evidence, options);
 
