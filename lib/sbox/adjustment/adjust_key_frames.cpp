@@ -8,10 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 
 #include "sbox/core/parallel.h"
 #include "sbox/placement/pose_graph.h"
@@ -78,32 +76,6 @@ std::vector<GraphEdge> edgesAt(const std::vector<Pose2D>& poses, const Scene& sc
   return edges;
 }
 
-/// The poses by what the edges tie together, each part in ascending order.
-std::vector<std::vector<size_t>> partsOf(size_t pose_count, const std::vector<GraphEdge>& edges) {
-  std::vector<size_t> root(pose_count);
-  std::iota(root.begin(), root.end(), size_t{0});
-  const auto rootOf = [&](size_t pose) {
-    while (root[pose] != pose) {
-      pose = root[pose] = root[root[pose]];
-    }
-    return pose;
-  };
-  for (const GraphEdge& edge : edges) {
-    const size_t a = rootOf(static_cast<size_t>(edge.a)), b = rootOf(static_cast<size_t>(edge.b));
-    root[std::max(a, b)] = std::min(a, b);
-  }
-  std::vector<std::vector<size_t>> of_root(pose_count), parts;
-  for (size_t pose = 0; pose < pose_count; ++pose) {
-    of_root[rootOf(pose)].push_back(pose);
-  }
-  for (std::vector<size_t>& part : of_root) {
-    if (!part.empty()) {
-      parts.push_back(std::move(part));
-    }
-  }
-  return parts;
-}
-
 /// Moves the poses of a part so that its anchors lie, on average, where they lay before.
 void putBack(std::vector<Pose2D>& poses, const std::vector<Pose2D>& before,
              const std::vector<size_t>& part, const std::vector<size_t>& anchors) {
@@ -166,7 +138,7 @@ KeyFrames adjustKeyFrames(const std::vector<PlacedKeyFrames>& maps, size_t refer
     rounds.partDone();
   }
   // What nothing ties to the reference stays where it was placed.
-  for (const std::vector<size_t>& part : partsOf(poses.size(), edges)) {
+  for (const std::vector<size_t>& part : connectedParts(poses.size(), edges)) {
     std::vector<size_t> anchors;
     std::copy_if(part.begin(), part.end(), std::back_inserter(anchors),
                  [&](size_t i) { return i >= first && i < end; });

@@ -96,16 +96,11 @@ void weighByGuesses(const std::vector<InitialGuess>& guesses, const std::vector<
     if (a == nullptr || b == nullptr || pair.candidates.empty()) {
       continue;
     }
-    double sum = pair.none;
     for (EdgeCandidate& candidate : pair.candidates) {
       candidate.probability *= factorOf(candidate, *a, *b, maps[static_cast<size_t>(pair.a)],
                                         maps[static_cast<size_t>(pair.b)]);
-      sum += candidate.probability;
     }
-    pair.none /= sum;
-    for (EdgeCandidate& candidate : pair.candidates) {
-      candidate.probability /= sum;
-    }
+    normalise(pair);
     const auto likeliest =
         std::max_element(pair.candidates.begin(), pair.candidates.end(),
                          [](const EdgeCandidate& left, const EdgeCandidate& right) {

@@ -111,6 +111,17 @@ PairEvidence evidenceOf(const MapPair& pair, const Footprint& a, const Footprint
   return evidence;
 }
 
+void normalise(PairEvidence& pair) {
+  double sum = pair.none;
+  for (const EdgeCandidate& candidate : pair.candidates) {
+    sum += candidate.probability;
+  }
+  pair.none /= sum;
+  for (EdgeCandidate& candidate : pair.candidates) {
+    candidate.probability /= sum;
+  }
+}
+
 void weighByBaseRate(std::vector<PairEvidence>& pairs) {
   constexpr int most_rounds = 100;
   const auto count = static_cast<double>(pairs.size());
@@ -121,15 +132,10 @@ void weighByBaseRate(std::vector<PairEvidence>& pairs) {
   }
   const double factor = oddsFactor(share);
   for (PairEvidence& pair : pairs) {
-    double sum = pair.none;
     for (EdgeCandidate& candidate : pair.candidates) {
       candidate.probability *= factor;
-      sum += candidate.probability;
     }
-    pair.none /= sum;
-    for (EdgeCandidate& candidate : pair.candidates) {
-      candidate.probability /= sum;
-    }
+    normalise(pair);
   }
 }
 

@@ -52,6 +52,9 @@ inline constexpr double kLogCoincidence = 3;
 /// first candidate's, as that of the maps' middles.
 [[nodiscard]] PairEvidence evidenceOf(const MapPair& pair, const Footprint& a, const Footprint& b);
 
+/// Scales the probabilities of the candidates and of none to a sum of 1.
+void normalise(PairEvidence& pair);
+
 /// Lowers the probabilities to what they are among so many pairs: a pair's own are those where half
 /// of all pairs belong together, and of a fleet's pairs most do not. The share that does is learnt
 /// from the pairs themselves (expectation maximisation); it never raises a probability.

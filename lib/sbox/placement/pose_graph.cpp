@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 namespace sbox {
 namespace {
@@ -172,6 +174,32 @@ std::vector<PoseCovariance> poseCovariances(const PoseGraphSolution& solution, i
     }
   }
   return covariances;
+}
+
+std::vector<std::vector<size_t>> connectedParts(size_t pose_count,
+                                                const std::vector<GraphEdge>& edges) {
+  std::vector<size_t> root(pose_count);
+  std::iota(root.begin(), root.end(), size_t{0});
+  const auto rootOf = [&](size_t pose) {
+    while (root[pose] != pose) {
+      pose = root[pose] = root[root[pose]];
+    }
+    return pose;
+  };
+  for (const GraphEdge& edge : edges) {
+    const size_t a = rootOf(static_cast<size_t>(edge.a)), b = rootOf(static_cast<size_t>(edge.b));
+    root[std::max(a, b)] = std::min(a, b);
+  }
+  std::vector<std::vector<size_t>> of_root(pose_count), parts;
+  for (size_t pose = 0; pose < pose_count; ++pose) {
+    of_root[rootOf(pose)].push_back(pose);
+  }
+  for (std::vector<size_t>& part : of_root) {
+    if (!part.empty()) {
+      parts.push_back(std::move(part));
+    }
+  }
+  return parts;
 }
 
 }  // namespace sbox

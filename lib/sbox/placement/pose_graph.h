@@ -49,4 +49,9 @@ struct PoseGraphSolution {
                                                           int reference,
                                                           const std::vector<GraphEdge>& edges);
 
+/// The poses, by index, that edges tie together, each part in ascending order; the parts by their
+/// first.
+[[nodiscard]] std::vector<std::vector<size_t>> connectedParts(size_t pose_count,
+                                                              const std::vector<GraphEdge>& edges);
+
 }  // namespace sbox

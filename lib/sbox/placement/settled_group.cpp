@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace sbox {
@@ -59,23 +58,7 @@ bool sameChoice(const std::vector<ChosenEdge>& left, const std::vector<ChosenEdg
 }  // namespace
 
 bool SettledGroup::isConnected() const {
-  std::vector<int> root(members.size());
-  std::iota(root.begin(), root.end(), 0);
-  const auto rootOf = [&](int node) {
-    while (root[static_cast<size_t>(node)] != node) {
-      node = root[static_cast<size_t>(node)];
-    }
-    return node;
-  };
-  size_t parts = members.size();
-  for (const ChosenEdge& chosen : edges) {
-    const int a = rootOf(chosen.edge.a), b = rootOf(chosen.edge.b);
-    if (a != b) {
-      root[static_cast<size_t>(a)] = b;
-      --parts;
-    }
-  }
-  return parts <= 1;
+  return connectedParts(members.size(), graphEdges()).size() <= 1;
 }
 
 std::vector<GraphEdge> SettledGroup::graphEdges() const {

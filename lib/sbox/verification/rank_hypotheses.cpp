@@ -128,10 +128,14 @@ Fit fitOf(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in
   fit.evidence = gatherEvidence(a, b, b_in_a, points, weights);
   fit.drift = estimateDrift(a, b, b_in_a, options.drift);
   fit.bent_evidence = gatherEvidence(a, b, b_in_a, fit.drift, points, bent_weights);
-  fit.bend_ratio = bendRatio(a, b, fit.drift);
-  fit.boxes = static_cast<int>(matchBoxes(a, b, b_in_a, fit.drift, options.boxes).size());
-  fit.log_odds = logOdds(fit);
   return fit;
+}
+
+/// Fills in what the log odds are made of beside the evidence, and these.
+void weighFit(const MapFeatures& a, const MapFeatures& b, const RankingOptions& options, Fit& fit) {
+  fit.bend_ratio = bendRatio(a, b, fit.drift);
+  fit.boxes = static_cast<int>(matchBoxes(a, b, fit.b_in_a, fit.drift, options.boxes).size());
+  fit.log_odds = logOdds(fit);
 }
 
 /// Aligns the candidates, and adds those that are about as plausible as the best to the fits. Of
@@ -154,9 +158,13 @@ void addFits(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked> ran
     const auto same = std::find_if(fits.begin(), fits.end(), [&](const Fit& other) {
       return distanceWhenBent(a, b, fit, other) < options.same_bent;
     });
+    if (same != fits.end() && how == Alignment::Wide) {
+      continue;
+    }
+    weighFit(a, b, options, fit);
     if (same == fits.end()) {
       fits.push_back(std::move(fit));
-    } else if (how == Alignment::Careful && fit.log_odds > same->log_odds) {
+    } else if (fit.log_odds > same->log_odds) {
       *same = std::move(fit);
     }
   }
