@@ -46,7 +46,7 @@ inline ScatteredMap scatteredMap(unsigned seed, int walls = 80) {
   for (int i = 0; i < walls; ++i) {
     const double facing = std::floor(between(0, kSectors)) * pi / 4 + between(-5, 5) * pi / 180;
     features.wall_points.push_back(
-        {{between(0, 8), between(0, 6)}, {std::cos(facing), std::sin(facing)}});
+        {{between(0, 8), between(0, 6)}, {std::cos(facing), std::sin(facing)}, between(0, 2)});
     features.wall_directions.push_back(toByteAngle(facing));
   }
   features.point_spacing = 0.2;

@@ -100,13 +100,15 @@ TEST_CASE("wall points are evenly spaced on the lines", "[features]") {
   CHECK(static_cast<double>(walls.points.size()) * 0.2 == Approx(20).margin(0.7));
   double normals_inward = 0;
   for (const WallPoint& point : walls.points) {
-    double nearest = 1e9;
+    double nearest = 1e9, length = 0;
     for (const WallLine& line : walls.lines) {
-      if (line.normal().isApprox(point.normal)) {
-        nearest = std::min(nearest, distance(line, point.position));
+      if (line.normal().isApprox(point.normal) && distance(line, point.position) < nearest) {
+        nearest = distance(line, point.position);
+        length = line.length();
       }
     }
     CHECK(nearest < 1e-9);
+    CHECK(point.line_length == length);
     normals_inward += point.normal.dot(Vector2d(4, 2.5) - point.position) > 0 ? 1 : 0;
   }
   CHECK(normals_inward == static_cast<double>(walls.points.size()));
@@ -166,6 +168,9 @@ TEST_CASE("short stretches are no lines", "[features]") {
   CHECK(std::abs(walls.lines[0].normal().y()) == Approx(1));
   // Their points stay.
   CHECK(walls.points.size() == wallsOf(room(0.1)).points.size());
+  for (const WallPoint& point : walls.points) {
+    CHECK((point.line_length == 0) == (std::abs(point.normal.x()) > 0.5));
+  }
 }
 
 TEST_CASE("no outlines have no lines and no points", "[features]") {

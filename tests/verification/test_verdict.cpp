@@ -48,7 +48,7 @@ TEST_CASE("where one of several fits is right, but which is not told, that is sa
   CHECK(torn.verdict == Verdict::Ambiguous);
   CHECK(says(torn, "another transform"));
   CHECK(says(torn, "0.40 beside 0.50"));
-  CHECK(decide(fitsOf({0.3, 0.3})).verdict == Verdict::Rejected);
+  CHECK(decide(fitsOf({0.2, 0.2})).verdict == Verdict::Rejected);
 }
 
 TEST_CASE("a rival with nothing against it keeps the best from being accepted", "[verification]") {

@@ -23,6 +23,9 @@ std::vector<Fit> randomFits(unsigned seed, int count) {
       evidence->known = between(10, 200);
       evidence->agree = between(0, 1) * evidence->known;
       evidence->conflict = between(0, 0.3) * evidence->known;
+      const double straight = between(0, 1);
+      evidence->straight = {straight * evidence->known, straight * evidence->agree,
+                            straight * evidence->conflict};
       evidence->free = between(50, 400);
       evidence->free_free = between(0, 1) * evidence->free;
       const double share = between(0, 1);
@@ -80,14 +83,32 @@ TEST_CASE("odds beyond what a double's exponent holds are still compared", "[ver
   CHECK(none.empty());
 }
 
-TEST_CASE("a fit more bent than its maps is less probable", "[verification]") {
-  std::vector<Fit> fits = randomFits(3, 1);
-  fits.push_back(fits[0]);
-  fits[0].bend_ratio = 2.5;
-  fits[1].bend_ratio = 0.5;
-  judge(fits);
-  CHECK(fits[0].bend_ratio == 0.5);
-  CHECK(fits[0].probability > 10 * fits[1].probability);
+TEST_CASE("straight wall in conflict says more than as much clutter", "[verification]") {
+  const Fit fit = randomFits(3, 1).front();
+  std::vector<Fit> fits{fit, fit, fit};
+  constexpr double metres = 5;
+  fits[1].bent_evidence.conflict += metres;
+  fits[2].bent_evidence.conflict += metres;
+  fits[2].bent_evidence.straight.conflict += metres;
+  for (size_t i = 0; i + 1 < fits.size(); ++i) {
+    CHECK(logOdds(fits[i]) > logOdds(fits[i + 1]));
+  }
+}
+
+TEST_CASE("a fit more bent than its maps is less probable where walls are bare", "[verification]") {
+  Fit bare = randomFits(3, 1).front();
+  bare.bent_evidence.straight = bare.bent_evidence;
+  Fit cluttered = bare;
+  cluttered.bent_evidence.straight = {};
+  const auto fallsBy = [](Fit fit) {
+    fit.bend_ratio = 0.5;
+    const double before = logOdds(fit);
+    fit.bend_ratio = 2.5;
+    return before - logOdds(fit);
+  };
+  CHECK(fallsBy(bare) > std::log(100));
+  CHECK(fallsBy(cluttered) >= 0);
+  CHECK(fallsBy(cluttered) < 0.1);
 }
 
 TEST_CASE("two equal fits are equally probable, a third takes from both", "[verification]") {

@@ -114,11 +114,12 @@ void describeMatching(PairOptions& options, OptionTable& table) {
 void describeEvidence(const std::string& section, EvidenceOptions& evidence, OptionTable& table) {
   table.section(section);
   table.metres("wide", evidence.wide, {0.01, 5}, "At which walls agree, wide kernel");
-  table.metres("tight", evidence.tight, {0.01, 5}, "At which walls agree, tight kernel");
   table.metres("conflict_from", evidence.conflict_from, {0, 5},
                "Depth in free space at which a wall begins to conflict");
   table.metres("conflict_full", evidence.conflict_full, {0, 5},
                "Depth from which it conflicts fully");
+  table.metres("straight_from", evidence.straight_from, {0, 20},
+               "Length of line from which a wall is straight and not clutter");
 }
 
 void describeVerification(PairOptions& options, OptionTable& table) {
@@ -177,6 +178,8 @@ void describeRefinement(RefineOptions& refine, OptionTable& table) {
   table.section("refinement");
   table.metres("drift_free", refine.drift_free, {0, 10},
                "Roughness of the drift below which the answer of Ceres is reported");
+  table.metres("most_polish", refine.most_polish, {0, 10},
+               "Shift of walls from which Ceres is not reported");
   table.metres("large_difference", refine.large_difference, {0, 1000},
                "Distance of Kalman and Ceres that lowers the confidence");
   table.number("difference_odds", refine.difference_odds, {0, 1},

@@ -101,13 +101,13 @@ void addPoints(const Outline& outline, const std::vector<const WallLine*>& line_
     }
     if (const WallLine* line = line_of[i]) {
       const Eigen::Vector2d along = line->direction();
-      points.push_back(
-          {line->from + along * along.dot(outline.at(i) - line->from), line->normal()});
+      points.push_back({line->from + along * along.dot(outline.at(i) - line->from), line->normal(),
+                        line->length()});
       continue;
     }
     const Eigen::Vector2d normal = localNormal(outline, i, reach);
     if (!normal.isZero()) {
-      points.push_back({outline.at(i) - 0.5 * outline.resolution * normal, normal});
+      points.push_back({outline.at(i) - 0.5 * outline.resolution * normal, normal, 0});
     }
   }
 }

@@ -33,6 +33,7 @@ struct WallLine {
 struct WallPoint {
   Eigen::Vector2d position;  ///< On the outline.
   Eigen::Vector2d normal;    ///< Unit vector to the free side.
+  double line_length = 0;    ///< Of the line that it is on, metres; 0 off any line.
 };
 
 /// How outlines become lines and points.

@@ -12,7 +12,8 @@ namespace {
 
 struct OneWay {
   Eigen::Matrix2d facing = Eigen::Matrix2d::Zero();  ///< In the frame of the walls' own map.
-  double known = 0, agree = 0, tight = 0, conflict = 0, wall = 0, free_free = 0, free = 0;
+  WallSums straight, clutter;
+  double wall = 0, free_free = 0, free = 0;
 };
 
 /// The walls and free space of `from` looked up in the fields of `to`; `place` tells where a point
@@ -29,19 +30,21 @@ OneWay lookUp(const MapFeatures& from, const MapFeatures& to, double heading, co
       [&](size_t i) { return static_cast<ByteAngle>(from.wall_directions[i] + turn); },
       [&](size_t i, std::uint8_t distance, std::uint8_t depth) {
         const auto agree = static_cast<double>(weights.wide[distance]);
-        sum.agree += agree;
-        const Eigen::Vector2d& normal = from.wall_points[i].normal;
-        sum.facing += agree * normal * normal.transpose();
-        sum.tight += static_cast<double>(weights.tight[distance]);
-        sum.conflict += static_cast<double>(weights.conflict[depth]) * (1 - agree);
+        const WallPoint& point = from.wall_points[i];
+        sum.facing += agree * point.normal * point.normal.transpose();
+        WallSums& part = point.line_length >= weights.straight_from ? sum.straight : sum.clutter;
+        part.agree += agree;
+        part.conflict += static_cast<double>(weights.conflict[depth]) * (1 - agree);
         // Where the other map is free, it knows of the wall in full.
-        sum.known += std::max(agree, static_cast<double>(depth > 0));
+        part.known += std::max(agree, static_cast<double>(depth > 0));
       });
   sum.wall = from.point_spacing * static_cast<double>(from.wall_points.size());
   const double per_point = walls > 0 ? sum.wall / static_cast<double>(walls) : 0;
   sum.facing *= per_point;
-  for (double* length : {&sum.agree, &sum.tight, &sum.conflict, &sum.known}) {
-    *length *= per_point;
+  for (WallSums* part : {&sum.straight, &sum.clutter}) {
+    part->known *= per_point;
+    part->agree *= per_point;
+    part->conflict *= per_point;
   }
 
   const size_t free = std::min(most_points, from.free_points.size());
@@ -57,14 +60,16 @@ OneWay lookUp(const MapFeatures& from, const MapFeatures& to, double heading, co
   return sum;
 }
 
+WallSums plus(const WallSums& left, const WallSums& right) {
+  return {left.known + right.known, left.agree + right.agree, left.conflict + right.conflict};
+}
+
 Evidence sumUp(const OneWay& there, const OneWay& back, double heading) {
   Evidence evidence;
   const Eigen::Matrix2d turn = Eigen::Rotation2Dd(heading).toRotationMatrix();
   evidence.facing = turn * there.facing * turn.transpose() + back.facing;
-  evidence.known = there.known + back.known;
-  evidence.agree = there.agree + back.agree;
-  evidence.tight = there.tight + back.tight;
-  evidence.conflict = there.conflict + back.conflict;
+  evidence.straight = plus(there.straight, back.straight);
+  static_cast<WallSums&>(evidence) = plus(evidence.straight, plus(there.clutter, back.clutter));
   evidence.wall = there.wall + back.wall;
   evidence.free_free = 0.5 * (there.free_free + back.free_free);
   evidence.free = std::min(there.free, back.free);
@@ -73,7 +78,8 @@ Evidence sumUp(const OneWay& there, const OneWay& back, double heading) {
 
 }  // namespace
 
-EvidenceWeights::EvidenceWeights(const EvidenceOptions& options) {
+EvidenceWeights::EvidenceWeights(const EvidenceOptions& options)
+    : straight_from(options.straight_from) {
   for (size_t i = 0; i < 256; ++i) {
     const double metres = static_cast<double>(i) * WallFields::unit;
     const auto gauss = [&](double sigma) {
@@ -83,7 +89,6 @@ EvidenceWeights::EvidenceWeights(const EvidenceOptions& options) {
                  : 0.F;
     };
     wide[i] = gauss(options.wide);
-    tight[i] = gauss(options.tight);
     conflict[i] = static_cast<float>(conflictWeight(metres, options));
   }
 }

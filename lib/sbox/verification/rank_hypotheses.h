@@ -32,9 +32,9 @@ struct RankingOptions {
   double same_turn = 7.0;      ///< Nearer answers are one, degrees.
   double same_bent = 0.6;      ///< Fits that lay the walls this near once bent are one, metres.
   EvidenceOptions evidence;    ///< Of rigid transforms.
-  EvidenceOptions bent_evidence = {0.25, 0.08, 0.15, 0.45};  ///< With the drift taken out.
-  AlignmentOptions first_alignment = {1.25, 10, 200};        ///< Of the best ones, coarsely ...
-  AlignmentOptions alignment;                                ///< ... and of those that are kept.
+  EvidenceOptions bent_evidence = {0.25, 0.15, 0.45};  ///< With the drift taken out.
+  AlignmentOptions first_alignment = {1.25, 10, 200};  ///< Of the best ones, coarsely ...
+  AlignmentOptions alignment;                          ///< ... and of those that are kept.
   double narrow_kernel = 0.4;  ///< Of a second alignment where the first leaves doubt, metres.
   DriftOptions drift;          ///< Of maps that are bent.
   BoxMatchOptions boxes;       ///< Boxes that count as agreeing.

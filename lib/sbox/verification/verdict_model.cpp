@@ -8,15 +8,6 @@
 #include <numeric>
 
 namespace sbox {
-namespace {
-
-/// Share of the walls in the common area that agree; a few metres of wall do not make a large one.
-double agreeShare(const Evidence& evidence) {
-  constexpr double doubt = 10;  // Metres.
-  return evidence.agree / (evidence.known + doubt);
-}
-
-}  // namespace
 
 double crossWall(const Evidence& evidence) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(evidence.facing,
@@ -25,20 +16,23 @@ double crossWall(const Evidence& evidence) {
 }
 
 std::array<double, kVerdictTerms> verdictTerms(const Fit& fit) {
-  const Evidence& rigid = fit.evidence;
-  const Evidence& bent = fit.bent_evidence;
-  constexpr double least_drift = 0.05;  // Metres.
-  return {agreeShare(bent),
-          std::log(crossWall(bent) + 0.5),
-          std::sqrt(bent.conflict),
-          rigid.conflict / (bent.free_free + 10),
-          bent.conflict / (bent.free_free + 10),
-          std::sqrt(bent.free_free),
-          std::log(bent.free_free / (bent.free + 1) + 0.02),
+  const Evidence& evidence = fit.bent_evidence;
+  const WallSums& straight = evidence.straight;
+  const WallSums clutter = {evidence.known - straight.known, evidence.agree - straight.agree,
+                            evidence.conflict - straight.conflict};
+  // A few metres of wall do not make a large share, nor a few square metres of area a small one.
+  constexpr double few_metres = 10, few_square_metres = 10;
+  const double area = evidence.free_free + few_square_metres;
+  // The drift field follows clutter that moved, too, so there it tells little.
+  const double bareness = std::pow(1 - clutter.known / (evidence.known + few_metres), 8);
+  return {straight.agree / (straight.known + few_metres),
+          std::log(clutter.agree + 1),
+          std::log(crossWall(evidence) + 0.5),
           std::log(fit.boxes + 1.0),
-          std::log(static_cast<double>(fit.drift.displacements.size())),
-          std::log1p(rigid.conflict / (fit.drift.roughness() + least_drift)),
-          fit.bend_ratio};
+          std::sqrt(straight.conflict),
+          straight.conflict / area,
+          clutter.conflict / area,
+          fit.bend_ratio * bareness};
 }
 
 double logOdds(const Fit& fit, const VerdictModel& model) {

@@ -14,15 +14,14 @@
 namespace sbox {
 
 /// Number of terms of the model.
-constexpr size_t kVerdictTerms = 11;
+constexpr size_t kVerdictTerms = 8;
 
 /// What the log odds of a fit are made of, in the order of VerdictModel::weights: share of the
-/// walls in common that agree; log of the agreeing wall (metres) across the others; root of the
-/// wall in conflict (metres); conflict per shared area, rigid and bent; root and log share of the
-/// shared free area (square metres); log of the boxes that agree; log of the nodes of the drift
-/// field; log of the rigid conflict over the drift's roughness, as it tells more where nothing is
-/// bent; how bent the maps are against each other over how bent each is (Fit::bend_ratio). All but
-/// the rigid conflict with the drift taken out.
+/// straight walls in common that agree; log of the clutter that agrees (metres); log of the
+/// agreeing wall (metres) across the others; log of the boxes that agree; root of the straight wall
+/// in conflict (metres); straight wall and clutter in conflict per shared free area; how bent the
+/// maps are against each other over how bent each is (Fit::bend_ratio), as far as walls are bare.
+/// All with the drift taken out.
 [[nodiscard]] std::array<double, kVerdictTerms> verdictTerms(const Fit& fit);
 
 /// Agreeing wall that fixes the shift in the direction that is fixed least, metres.
@@ -31,9 +30,9 @@ constexpr size_t kVerdictTerms = 11;
 /// Weights found by maximum likelihood: `sbox-bench FOLDERS --fit-verdict` prints them.
 struct VerdictModel {
   /// Of the terms, in their order.
-  std::array<double, kVerdictTerms> weights = {10.247, 3.642, -0.971, -3.474, -5.967, 0.49,
-                                               0.772,  0.755, -0.617, -1.001, -2.454};
-  double none = 9.386;  ///< Log odds of "none of the fits is right".
+  std::array<double, kVerdictTerms> weights = {10.765, 2.794,   1.652,   0.343,
+                                               -0.347, -28.949, -20.849, -6.622};
+  double none = 12.327;  ///< Log odds of "none of the fits is right".
 };
 
 /// Log odds that a fit is right, up to a constant.
