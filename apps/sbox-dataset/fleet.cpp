@@ -57,7 +57,9 @@ std::vector<NamedRun> driveFleet(const FleetOptions& options) {
   std::vector<NamedRun> fleet;
   for (int building = 0; building < options.buildings; ++building) {
     const std::uint32_t seed = options.seed * 10007U + static_cast<std::uint32_t>(building);
-    const World world = randomOffice(seed);
+    OfficeOptions office;
+    office.furniture_per_m2 *= options.furniture;
+    const World world = randomOffice(seed, office);
     const mrpt::maps::COccupancyGridMap2D grid = worldGrid(world, kCell);
     const RoutePlanner planner(grid);
     std::mt19937 random(seed);

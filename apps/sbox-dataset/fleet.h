@@ -12,9 +12,10 @@
 namespace sbox::dataset {
 
 struct FleetOptions {
-  int buildings = 10;  ///< Random offices.
-  int robots = 5;      ///< In each; every one visits half to nearly all rooms along the corridor.
-  double drift = 1;    ///< Odometry noise as a multiple of DriveOptions' own.
+  int buildings = 10;    ///< Random offices.
+  int robots = 5;        ///< In each; every one visits half to nearly all rooms along the corridor.
+  double drift = 1;      ///< Odometry noise as a multiple of DriveOptions' own.
+  double furniture = 1;  ///< As a multiple of OfficeOptions' own.
   std::uint32_t seed = 1;  ///< Of offices, ways and noise.
 };
 

@@ -136,6 +136,7 @@ int main(int argc, char** argv) {
   fleet_command->add_option("--buildings", fleet.buildings, "Offices (default 10)");
   fleet_command->add_option("--robots", fleet.robots, "Robots in each (default 5)");
   fleet_command->add_option("--drift", fleet.drift, "Odometry noise, a factor (default 1)");
+  fleet_command->add_option("--furniture", fleet.furniture, "Its amount, a factor (default 1)");
   fleet_command->add_option("--seed", fleet.seed, "Seed of offices, ways and noise (default 1)");
   addFolder(fleet_command, output);
 
