@@ -2,11 +2,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/refinement/refine_pose.h"
 
+#include <algorithm>
+
 #include "sbox/refinement/corner_pairs.h"
 #include "sbox/refinement/mean_transform.h"
 #include "sbox/refinement/wall_alignment.h"
 
 namespace sbox {
+namespace {
+
+/// How far apart two transforms put a wall of map b that lies on map a, at most, metres.
+double largestShift(const MapFeatures& a, const MapFeatures& b, const RigidTransform& left,
+                    const RigidTransform& right) {
+  double largest = 0;
+  for (const WallPoint& point : b.wall_points) {
+    const Eigen::Vector2d in_a = left * point.position;
+    if (a.fields.cellAt(in_a.x(), in_a.y()) >= 0) {
+      largest = std::max(largest, (in_a - right * point.position).norm());
+    }
+  }
+  return largest;
+}
+
+}  // namespace
 
 double RefinedPose::disagreement() const {
   return kalman && ceres ? (*kalman * pivot_b - *ceres * pivot_b).norm() : 0;
@@ -23,9 +41,11 @@ RefinedPose refinePose(const MapFeatures& a, const MapFeatures& b, const RigidTr
     refined.kalman = filtered->b_in_a;
   }
   refined.ceres = polishByCeres(a, b, corners, found, refined.pivot_b, options.polish);
-  refined.b_in_a = refined.ceres && drift.roughness() < options.drift_free
-                       ? *refined.ceres
-                       : meanTransform(a, b, found, drift);
+  refined.b_in_a = meanTransform(a, b, found, drift);
+  if (refined.ceres && drift.roughness() < options.drift_free &&
+      largestShift(a, b, refined.b_in_a, *refined.ceres) < options.most_polish) {
+    refined.b_in_a = *refined.ceres;
+  }
   refined.covariance =
       poseCovariance(wallInformation(a, b, refined.b_in_a), drift.roughness(), options.covariance);
   return refined;

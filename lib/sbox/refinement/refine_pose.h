@@ -23,6 +23,9 @@ struct RefineOptions {
   /// Roughness of the drift field (metres) below which maps count as free of drift, so that Ceres's
   /// narrow kernel is right for them; in bent maps it would lock on to one part of the building.
   double drift_free = 0.1;
+  /// Farther than this from the rigid transform nearest to the bent fit, metres, Ceres has left the
+  /// walls that the fit lies on for others beside them.
+  double most_polish = 0.3;
   BoxKalmanOptions kalman;       ///< Of the Kalman step.
   PolishOptions polish;          ///< Of the cross-check.
   CovarianceOptions covariance;  ///< Of what is reported.
@@ -45,7 +48,7 @@ struct RefinedPose {
 };
 
 /// Refines the transform that verification found. Reported is the answer of Ceres where the maps
-/// are free of drift, else the rigid transform nearest to the bent fit.
+/// are free of drift and it stays with the walls, else the rigid transform nearest to the bent fit.
 [[nodiscard]] RefinedPose refinePose(const MapFeatures& a, const MapFeatures& b,
                                      const RigidTransform& found, const DriftField& drift,
                                      const std::vector<BoxMatch>& boxes,
