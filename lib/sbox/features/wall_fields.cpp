@@ -52,7 +52,7 @@ void offer(const WallFields& fields, const Eigen::Vector2d& position, std::int32
 
 /// A wall point on its way into the field of a sector.
 struct Offered {
-  double row;  ///< Of the field's cells.
+  std::uint64_t place;  ///< Grows row by row, and along a row, of the field's cells.
   Eigen::Vector2d position;
   std::int32_t index;
 };
@@ -64,15 +64,16 @@ std::array<std::vector<Offered>, kSectors> bySector(const std::vector<WallPoint>
   std::array<std::vector<Offered>, kSectors> facing;
   for (size_t i = 0; i < points.size(); ++i) {
     const Eigen::Vector2d& position = points[i].position;
+    const auto row = static_cast<std::uint32_t>(floorToInt(position.y() / resolution));
+    const auto column = static_cast<std::uint32_t>(floorToInt(position.x() / resolution));
     forEachSector(points[i].normal, overlap, [&](size_t sector) {
       facing[sector].push_back(
-          {std::floor(position.y() / resolution), position, static_cast<std::int32_t>(i)});
+          {std::uint64_t{row} << 32 | column, position, static_cast<std::int32_t>(i)});
     });
   }
   for (std::vector<Offered>& offered : facing) {
     std::sort(offered.begin(), offered.end(), [](const Offered& left, const Offered& right) {
-      return std::make_tuple(left.row, left.position.x(), left.index) <
-             std::make_tuple(right.row, right.position.x(), right.index);
+      return std::tie(left.place, left.index) < std::tie(right.place, right.index);
     });
   }
   return facing;
