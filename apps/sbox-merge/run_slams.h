@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 the sbox-merge authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "sbox-merge/load_inputs.h"
+
+namespace sbox::app {
+
+/// Fills in the key frames of those inputs that are logs. Throws FileError if one cannot be mapped.
+void runSlams(const Arguments& arguments, const ProgressFunction& tell, Inputs& inputs);
+
+}  // namespace sbox::app
