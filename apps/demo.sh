@@ -19,6 +19,7 @@ fi
 mkdir -p build
 cmake --preset release --log-level=WARNING > build/demo-configure.log 2>&1 ||
   { cat build/demo-configure.log >&2; exit 1; }
+echo "demo: building sbox-merge in build/release; this takes some minutes the first time"
 cmake --build --preset release --parallel "$(nproc)" --target sbox-merge "${quiet[@]}"
 
 rm -rf build/demo
