@@ -31,9 +31,15 @@ PoseCovariance frameCovariance(const MapFeatures& a, const MapFeatures& b,
   return jacobian * refined.covariance * jacobian.transpose();
 }
 
-/// The probability once its odds are multiplied by a factor.
-double withOdds(double probability, double factor) {
-  return factor * probability / (factor * probability + 1 - probability);
+/// Multiplies the odds of the first fit by a factor; the others and "none" share the rest as
+/// before.
+void multiplyOddsOfFirst(std::vector<Fit>& fits, double factor) {
+  const double first = fits.front().probability;
+  const double sum = factor * first + 1 - first;
+  for (Fit& fit : fits) {
+    fit.probability /= sum;
+  }
+  fits.front().probability *= factor;
 }
 
 std::string describeDifference(double metres) {
@@ -68,7 +74,7 @@ PairResult matchInOrder(const MapFeatures& a, const MapFeatures& b, const PairOp
   const RefinedPose refined = refinePose(a, b, best.b_in_a, best.drift, boxes, options.refine);
   const bool is_doubtful = refined.disagreement() > options.refine.large_difference;
   if (is_doubtful) {
-    best.probability = withOdds(best.probability, options.refine.difference_odds);
+    multiplyOddsOfFirst(fits, options.refine.difference_odds);
   }
   const Verdicted verdicted = decide(fits, options.verdict);
   result.verdict = verdicted.verdict;

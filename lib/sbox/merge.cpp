@@ -111,6 +111,7 @@ MergeResult mergeMaps(const std::vector<Map>& maps, const MergeOptions& options,
   result.pairs = matchedPairs(pairs, known);
   // Which maps belong together, and where each lies.
   PlacementOptions placement = options.placement;
+  placement.accept_from = options.pair.verdict.accept_from;
   placement.is_calibrated = options.method == Method::Boxes;
   const PlacementResult placed =
       placeMaps(footprints, result.pairs, options.reference, placement, options.initial);

@@ -20,8 +20,7 @@ using MethodFeatures = std::variant<MapFeatures, PaperFeatures>;
 [[nodiscard]] MethodFeatures extractMethodFeatures(const Map& map, const MergeOptions& options);
 
 /// Matches two maps by the method that made their features; the published method takes no guess.
-/// Throws std::bad_variant_access if these
-/// were made by different methods.
+/// Throws std::bad_variant_access if these were made by different methods.
 [[nodiscard]] PairResult matchMethodFeatures(const MethodFeatures& a, const MethodFeatures& b,
                                              const MergeOptions& options,
                                              const std::optional<GuessedPoses>& guess = {});

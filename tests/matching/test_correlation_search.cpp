@@ -112,10 +112,6 @@ std::map<std::pair<int, int>, double> scoresOfAllShifts(const MapFeatures& a, co
       evidence.conflict =
           product(sums_a.conflict, sums_b.wall, x, y) + product(sums_a.wall, sums_b.conflict, x, y);
       evidence.free_free = product(sums_a.free, sums_b.free, x, y) * kCell * kCell;
-      evidence.wall = a.point_spacing * static_cast<double>(a.wall_points.size()) +
-                      b.point_spacing * static_cast<double>(b.wall_points.size());
-      evidence.free =
-          kCell * kCell * static_cast<double>(std::min(a.free_points.size(), b.free_points.size()));
       scores[{x, y}] = evidence.agree < options.min_agree * evidence.known ? kImplausible
                                                                            : plausibility(evidence);
     }

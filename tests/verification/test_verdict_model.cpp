@@ -26,8 +26,7 @@ std::vector<Fit> randomFits(unsigned seed, int count) {
       const double straight = between(0, 1);
       evidence->straight = {straight * evidence->known, straight * evidence->agree,
                             straight * evidence->conflict};
-      evidence->free = between(50, 400);
-      evidence->free_free = between(0, 1) * evidence->free;
+      evidence->free_free = between(0, 400);
       const double share = between(0, 1);
       evidence->facing =
           Eigen::Vector2d(share * evidence->agree, (1 - share) * evidence->agree).asDiagonal();

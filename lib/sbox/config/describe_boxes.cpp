@@ -113,13 +113,11 @@ void describeMatching(PairOptions& options, OptionTable& table) {
 
 void describeEvidence(const std::string& section, EvidenceOptions& evidence, OptionTable& table) {
   table.section(section);
-  table.metres("wide", evidence.wide, {0.01, 5}, "At which walls agree, wide kernel");
+  table.metres("kernel", evidence.kernel, {0.01, 5}, "Standard deviation at which walls agree");
   table.metres("conflict_from", evidence.conflict_from, {0, 5},
                "Depth in free space at which a wall begins to conflict");
   table.metres("conflict_full", evidence.conflict_full, {0, 5},
                "Depth from which it conflicts fully");
-  table.metres("straight_from", evidence.straight_from, {0, 20},
-               "Length of line from which a wall is straight and not clutter");
 }
 
 void describeVerification(PairOptions& options, OptionTable& table) {
@@ -163,6 +161,8 @@ void describeVerification(PairOptions& options, OptionTable& table) {
                "Between the corners of boxes that agree");
   describeEvidence("verification.rigid", ranking.evidence, table);
   describeEvidence("verification.bent", ranking.bent_evidence, table);
+  table.metres("straight_from", ranking.bent_evidence.straight_from, {0, 20},
+               "Length of line from which a wall is straight and not clutter");
 
   table.section("verification.drift");
   table.metres("node_spacing", ranking.drift.node_spacing, {0.5, 1000},

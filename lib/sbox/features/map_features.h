@@ -64,6 +64,16 @@ struct MapFeatures {
 
   /// Whether there is no wall to match.
   [[nodiscard]] bool empty() const { return wall_points.empty(); }
+  /// The middle of the known part.
+  [[nodiscard]] Eigen::Vector2d middle() const { return {width / 2, height / 2}; }
+  /// Of all wall, metres.
+  [[nodiscard]] double wallLength() const {
+    return point_spacing * static_cast<double>(wall_points.size());
+  }
+  /// Of all free space, square metres.
+  [[nodiscard]] double freeArea() const {
+    return free_point_area * static_cast<double>(free_points.size());
+  }
 };
 
 /// An order of maps that does not depend on how they were given; equal maps have none.

@@ -161,10 +161,6 @@ std::vector<Hypothesis> searchByCorrelation(const MapFeatures& a, const MapFeatu
   Pictures pictures_a = draw(a, 0, canvas_a, size);
   blurToAgreement(pictures_a, blur, resolution);
   const Spectra spectra_a(pictures_a, size.height);
-  const double wall =
-      a.point_spacing * static_cast<double>(a.wall_points.size() + b.wall_points.size());
-  const double free = std::min(a.free_point_area * static_cast<double>(a.free_points.size()),
-                               b.free_point_area * static_cast<double>(b.free_points.size()));
 
   std::vector<Hypothesis> hypotheses;
   for (const double heading : findHeadings(a, b, options.headings)) {
@@ -178,8 +174,6 @@ std::vector<Hypothesis> searchByCorrelation(const MapFeatures& a, const MapFeatu
     const cv::Mat free_free = correlate(spectra_a.free, spectra_b.free);
     cv::Mat scores(size, CV_32F);
     Evidence evidence;
-    evidence.wall = wall;
-    evidence.free = free;
     for (int y = 0; y < size.height; ++y) {
       const auto* agree_row = agree.ptr<float>(y);
       const auto* known_row = known.ptr<float>(y);

@@ -205,7 +205,7 @@ std::vector<Hypothesis> voteForTurn(const MapFeatures& map_b, const FrameFeature
                                     const FrameFeatures& b, int turns, const VoteOptions& options,
                                     VoteGrid& grid) {
   const Eigen::Matrix2d to_grid_a = Eigen::Rotation2Dd(a.frame.direction).toRotationMatrix();
-  const Eigen::Vector2d centre_in_grid_b(map_b.width / 2, map_b.height / 2);
+  const Eigen::Vector2d centre_in_grid_b = map_b.middle();
   const Eigen::Vector2d centre_b = Eigen::Rotation2Dd(-b.frame.direction) * centre_in_grid_b;
   grid.clear();
   grid.count(cornerBallots(a.corners, b.corners, turns, centre_b), a.corners.size(),

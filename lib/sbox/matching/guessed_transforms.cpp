@@ -26,7 +26,7 @@ GuessedMiddle guessedMiddle(const MapFeatures& a, const MapFeatures& b, const Gu
   GuessedMiddle middle;
   middle.heading = wrapAngle(pose.phi);
   middle.turn = options.deviations * std::hypot(guess.sigma_phi_a, guess.sigma_phi_b);
-  middle.middle_b = {b.width / 2, b.height / 2};
+  middle.middle_b = b.middle();
   const Point2D in_a = pose.composePoint({middle.middle_b.x(), middle.middle_b.y()});
   middle.middle_in_a = {in_a.x, in_a.y};
   // A heading that is off moves what lies far from the frame that it turns about.

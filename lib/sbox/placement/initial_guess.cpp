@@ -15,8 +15,6 @@ constexpr double kTail = 0.1;
 constexpr double kGain = 20;
 /// Maps drift, and nobody's frame is exact: metres and radians that every guess may be off.
 constexpr double kDrift = 0.5, kDriftTurn = 0.05;
-/// Probability from which a candidate counts as accepted once a guess has spoken.
-constexpr double kAcceptFrom = 0.7;
 
 /// Standard deviation of where the middles of both maps lie to each other, and the distance at
 /// which the guesses put them, metres.
@@ -88,7 +86,7 @@ std::vector<PairIndex> pairsThatMayMeet(const std::vector<InitialGuess>& guesses
 }
 
 void weighByGuesses(const std::vector<InitialGuess>& guesses, const std::vector<Footprint>& maps,
-                    std::vector<PairEvidence>& pairs) {
+                    double accept_from, std::vector<PairEvidence>& pairs) {
   const std::vector<const InitialGuess*> of_map = guessOfEachMap(guesses, maps.size());
   for (PairEvidence& pair : pairs) {
     const InitialGuess* a = of_map[static_cast<size_t>(pair.a)];
@@ -106,7 +104,7 @@ void weighByGuesses(const std::vector<InitialGuess>& guesses, const std::vector<
                          [](const EdgeCandidate& left, const EdgeCandidate& right) {
                            return left.probability < right.probability;
                          });
-    pair.accepted = likeliest->probability >= kAcceptFrom
+    pair.accepted = likeliest->probability >= accept_from
                         ? static_cast<int>(likeliest - pair.candidates.begin())
                         : -1;
   }

@@ -30,9 +30,9 @@ struct InitialGuess {
 [[nodiscard]] std::vector<PairIndex> pairsThatMayMeet(const std::vector<InitialGuess>& guesses,
                                                       const std::vector<Footprint>& maps);
 
-/// Weighs the candidates of all pairs of which both maps have a guess. Throws as guessOfEachMap()
-/// does.
+/// Weighs the candidates of all pairs of which both maps have a guess, and accepts the likeliest
+/// from probability `accept_from` on. Throws as guessOfEachMap() does.
 void weighByGuesses(const std::vector<InitialGuess>& guesses, const std::vector<Footprint>& maps,
-                    std::vector<PairEvidence>& pairs);
+                    double accept_from, std::vector<PairEvidence>& pairs);
 
 }  // namespace sbox

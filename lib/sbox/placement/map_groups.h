@@ -22,9 +22,13 @@ struct GroupOptions {
   double agreed = 0.95;        ///< Probability from which pairs that agree do, ...
   double witnesses = 1.5;      ///< ... if they are this many; see JoinEvidence.
   double alone = 0.5;          ///< Probability from which an accepted pair adds a single map.
-  bool is_calibrated = true;   ///< Confidences are probabilities: see weighByBaseRate().
-  SamePoseOptions same_pose;   ///< When two poses are one.
-  PoseGraphOptions graph;      ///< Of the poses within a group.
+  /// Probability from which a candidate counts as accepted once a guess has spoken: that of the
+  /// verdict, which mergeMaps() puts here.
+  double accept_from = 0.6;
+  /// Confidences are probabilities, see weighByBaseRate(): of the default method, says mergeMaps().
+  bool is_calibrated = true;
+  SamePoseOptions same_pose;  ///< When two poses are one.
+  PoseGraphOptions graph;     ///< Of the poses within a group.
 };
 
 /// The groups, each with its poses; a map alone is a group. In the order of their first members,

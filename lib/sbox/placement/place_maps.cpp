@@ -90,7 +90,7 @@ PlacementResult placeMaps(const std::vector<Footprint>& maps, const std::vector<
   if (options.is_calibrated) {
     weighByBaseRate(evidence);
   }
-  weighByGuesses(guesses, maps, evidence);
+  weighByGuesses(guesses, maps, options.accept_from, evidence);
   const std::vector<SettledGroup> settled = groupMaps(maps, evidence, options);
 
   PlacementResult result;

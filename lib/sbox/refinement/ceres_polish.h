@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Least squares by Ceres as the cross-check of the Kalman step: the corners of all agreeing boxes
+// Least squares by Ceres, which the Kalman step checks: the corners of all agreeing boxes
 // and the walls of both maps at once, under a robust loss whose scale shrinks from round to round.
 #pragma once
 

@@ -172,8 +172,7 @@ DriftField estimateDrift(const MapFeatures& a, const MapFeatures& b, const Rigid
   const size_t count_a = std::min(options.most_points, a.wall_points.size());
   const size_t count_b = std::min(options.most_points, b.wall_points.size());
   const auto length = [](const MapFeatures& map, size_t count) {
-    return map.point_spacing * static_cast<double>(map.wall_points.size()) /
-           static_cast<double>(std::max<size_t>(count, 1));
+    return map.wallLength() / static_cast<double>(std::max<size_t>(count, 1));
   };
   const double length_a = length(a, count_a), length_b = length(b, count_b);
   std::vector<Eigen::Vector2d> rigid_b(count_b);

@@ -9,9 +9,9 @@
 namespace sbox {
 namespace {
 
-/// Whether a wall that faces `direction` stands within a hand's breadth of the point.
+/// Whether a wall that faces `direction` stands near the point.
 bool hasWall(const WallFields& fields, const Eigen::Vector2d& point, ByteAngle direction) {
-  constexpr double near = 0.25;  // Metres.
+  constexpr double near = 0.25;  // Metres, as the last kernel of the drift field.
   const std::ptrdiff_t cell = fields.cellAt(point.x(), point.y());
   if (cell < 0) {
     return false;

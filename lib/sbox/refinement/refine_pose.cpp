@@ -34,8 +34,8 @@ RefinedPose refinePose(const MapFeatures& a, const MapFeatures& b, const RigidTr
                        const DriftField& drift, const std::vector<BoxMatch>& boxes,
                        const RefineOptions& options) {
   RefinedPose refined;
-  refined.pivot_b = Eigen::Vector2d(b.width / 2, b.height / 2);
-  // Eqs. 6 to 14 on the transform itself, and its cross-check.
+  refined.pivot_b = b.middle();
+  // Eqs. 6 to 14 on the transform itself, to check what is reported.
   const std::vector<CornerPair> corners = uniqueCorners(boxes, options.kalman.corner_noise);
   if (const auto filtered = filterCorners(corners, found, refined.pivot_b, options.kalman)) {
     refined.kalman = filtered->b_in_a;

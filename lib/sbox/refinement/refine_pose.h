@@ -27,10 +27,10 @@ struct RefineOptions {
   /// walls that the fit lies on for others beside them.
   double most_polish = 0.3;
   BoxKalmanOptions kalman;       ///< Of the Kalman step.
-  PolishOptions polish;          ///< Of the cross-check.
+  PolishOptions polish;          ///< Of Ceres.
   CovarianceOptions covariance;  ///< Of what is reported.
-  /// Distance of Kalman and Ceres from which something is amiss, metres: of 7 such pairs with known
-  /// truth 3 were right, of the others 145 of 168 ...
+  /// Distance of Kalman and Ceres from which something is amiss, metres: most of such answers are
+  /// wrong ...
   double large_difference = 0.5;
   double difference_odds = 0.2;  ///< ... so the odds of being right are multiplied by this.
 };

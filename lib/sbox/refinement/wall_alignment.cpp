@@ -32,8 +32,7 @@ struct Normals {
 
 /// Length of wall that each of the first `count` points stands for, metres.
 double lengthOfPoint(const MapFeatures& map, size_t count) {
-  return map.point_spacing * static_cast<double>(map.wall_points.size()) /
-         static_cast<double>(std::max<size_t>(count, 1));
+  return map.wallLength() / static_cast<double>(std::max<size_t>(count, 1));
 }
 
 /// The walls of each map against those of the other; each wall counts half from either side.
@@ -72,11 +71,11 @@ Normals gatherNormals(const MapFeatures& a, const MapFeatures& b, const RigidTra
 RigidTransform alignWalls(const MapFeatures& a, const MapFeatures& b, const RigidTransform& start,
                           const AlignmentOptions& options) {
   RigidTransform b_in_a = start;
-  const Eigen::Vector2d centre_b(b.width / 2, b.height / 2);
+  const Eigen::Vector2d centre_b = b.middle();
   for (int iteration = 0; iteration < options.iterations; ++iteration) {
     const Eigen::Vector2d pivot = b_in_a * centre_b;
     Normals normals = gatherNormals(a, b, b_in_a, pivot, options);
-    // A hand's breadth of damping keeps what nothing fixes where it was.
+    // As of a millimetre of wall: keeps what nothing fixes where it was.
     normals.matrix.diagonal() += Eigen::Vector3d(1e-3, 1e-3, 1e-2);
     const Eigen::Vector3d step = normals.matrix.ldlt().solve(normals.vector);
     b_in_a.heading += step.z();
@@ -90,7 +89,7 @@ RigidTransform alignWalls(const MapFeatures& a, const MapFeatures& b, const Rigi
 
 Eigen::Matrix3d wallInformation(const MapFeatures& a, const MapFeatures& b,
                                 const RigidTransform& b_in_a, const AlignmentOptions& options) {
-  const Eigen::Vector2d centre_b(b.width / 2, b.height / 2);
+  const Eigen::Vector2d centre_b = b.middle();
   return gatherNormals(a, b, b_in_a, b_in_a * centre_b, options).matrix;
 }
 

@@ -13,7 +13,7 @@ namespace {
 struct OneWay {
   Eigen::Matrix2d facing = Eigen::Matrix2d::Zero();  ///< In the frame of the walls' own map.
   WallSums straight, clutter;
-  double wall = 0, free_free = 0, free = 0;
+  double free_free = 0;
 };
 
 /// The walls and free space of `from` looked up in the fields of `to`; `place` tells where a point
@@ -29,7 +29,7 @@ OneWay lookUp(const MapFeatures& from, const MapFeatures& to, double heading, co
       fields, walls, [&](size_t i) { return place(from.wall_points[i].position); },
       [&](size_t i) { return static_cast<ByteAngle>(from.wall_directions[i] + turn); },
       [&](size_t i, std::uint8_t distance, std::uint8_t depth) {
-        const auto agree = static_cast<double>(weights.wide[distance]);
+        const auto agree = static_cast<double>(weights.agree[distance]);
         const WallPoint& point = from.wall_points[i];
         sum.facing += agree * point.normal * point.normal.transpose();
         WallSums& part = point.line_length >= weights.straight_from ? sum.straight : sum.clutter;
@@ -38,8 +38,7 @@ OneWay lookUp(const MapFeatures& from, const MapFeatures& to, double heading, co
         // Where the other map is free, it knows of the wall in full.
         part.known += std::max(agree, static_cast<double>(depth > 0));
       });
-  sum.wall = from.point_spacing * static_cast<double>(from.wall_points.size());
-  const double per_point = walls > 0 ? sum.wall / static_cast<double>(walls) : 0;
+  const double per_point = walls > 0 ? from.wallLength() / static_cast<double>(walls) : 0;
   sum.facing *= per_point;
   for (WallSums* part : {&sum.straight, &sum.clutter}) {
     part->known *= per_point;
@@ -54,9 +53,8 @@ OneWay lookUp(const MapFeatures& from, const MapFeatures& to, double heading, co
       [&](size_t, const Eigen::Vector2d&, size_t cell) {
         free_free += fields.free_depth[cell] > 0 ? 1 : 0;
       });
-  sum.free = from.free_point_area * static_cast<double>(from.free_points.size());
   sum.free_free =
-      static_cast<double>(free_free) * (free > 0 ? sum.free / static_cast<double>(free) : 0);
+      static_cast<double>(free_free) * (free > 0 ? from.freeArea() / static_cast<double>(free) : 0);
   return sum;
 }
 
@@ -70,9 +68,7 @@ Evidence sumUp(const OneWay& there, const OneWay& back, double heading) {
   evidence.facing = turn * there.facing * turn.transpose() + back.facing;
   evidence.straight = plus(there.straight, back.straight);
   static_cast<WallSums&>(evidence) = plus(evidence.straight, plus(there.clutter, back.clutter));
-  evidence.wall = there.wall + back.wall;
   evidence.free_free = 0.5 * (there.free_free + back.free_free);
-  evidence.free = std::min(there.free, back.free);
   return evidence;
 }
 
@@ -82,13 +78,10 @@ EvidenceWeights::EvidenceWeights(const EvidenceOptions& options)
     : straight_from(options.straight_from) {
   for (size_t i = 0; i < 256; ++i) {
     const double metres = static_cast<double>(i) * WallFields::unit;
-    const auto gauss = [&](double sigma) {
-      // At the largest value there is no wall within reach.
-      return i < WallFields::far
-                 ? static_cast<float>(std::exp(-0.5 * metres * metres / (sigma * sigma)))
-                 : 0.F;
-    };
-    wide[i] = gauss(options.wide);
+    // At the largest value there is no wall within reach.
+    agree[i] = i < WallFields::far
+                   ? static_cast<float>(std::exp(-0.5 * std::pow(metres / options.kernel, 2)))
+                   : 0.F;
     conflict[i] = static_cast<float>(conflictWeight(metres, options));
   }
 }

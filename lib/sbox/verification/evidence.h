@@ -17,7 +17,7 @@ namespace sbox {
 
 /// What counts as agreement and as conflict.
 struct EvidenceOptions {
-  double wide = 0.5;           ///< Standard deviation at which walls agree in drifted maps, metres.
+  double kernel = 0.5;         ///< Standard deviation at which walls agree, metres.
   double conflict_from = 0.3;  ///< Depth in free space at which a wall begins to conflict, metres.
   double conflict_full = 1.0;  ///< Depth from which it conflicts fully, metres.
   /// Length of line from which a wall counts as straight, metres. Shorter ones are mostly furniture
@@ -28,19 +28,17 @@ struct EvidenceOptions {
 /// Lengths of wall, metres.
 struct WallSums {
   double known = 0;     ///< Wall that lies where the other map knows something.
-  double agree = 0;     ///< Wall on wall that faces the same way, weighed by the wide kernel.
+  double agree = 0;     ///< Wall on wall that faces the same way, weighed by the kernel.
   double conflict = 0;  ///< Wall deep in the other's free space.
 };
 
 /// Sums over both maps, each map's walls counted once.
 struct Evidence : WallSums {
   WallSums straight;  ///< Of the straight walls alone; the rest is clutter.
-  double wall = 0;    ///< All wall looked at, metres.
   /// Agreeing wall by the direction it faces: the sum of agree n n^T over unit normals n in map a.
   /// A small eigenvalue means that walls hardly fix the shift along its direction.
   Eigen::Matrix2d facing = Eigen::Matrix2d::Zero();
   double free_free = 0;  ///< Area free in both, square metres (mean of both counts).
-  double free = 0;       ///< Free area of the map that has less, square metres.
 };
 
 /// Weight of a wall this deep (metres) in free space as a conflict, from 0 to 1.
@@ -52,7 +50,7 @@ struct EvidenceWeights {
   /// The weights of the options.
   EvidenceWeights(const EvidenceOptions& options = {});  // NOLINT: options serve where weights do.
 
-  std::array<float, 256> wide{};      ///< Of a wall this far off, see EvidenceOptions::wide.
+  std::array<float, 256> agree{};     ///< Of a wall this far off, see EvidenceOptions::kernel.
   std::array<float, 256> conflict{};  ///< See conflictWeight().
   double straight_from = 0;           ///< See EvidenceOptions::straight_from.
 };

@@ -20,9 +20,4 @@ struct Fit {
   double probability = 0;  ///< That this fit is right, and not another or none.
 };
 
-/// Whether two transforms are one answer: they put the middle of map b within `distance` (metres)
-/// of each other and turn it within `turn` (radians).
-[[nodiscard]] bool isSameAnswer(const RigidTransform& left, const RigidTransform& right,
-                                const Eigen::Vector2d& centre_b, double distance, double turn);
-
 }  // namespace sbox

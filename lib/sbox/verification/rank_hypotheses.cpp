@@ -112,8 +112,8 @@ void align(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked>& rank
 double wallSpacing(const MapFeatures& a, const MapFeatures& b) {
   double area = 0, wall = 0;
   for (const MapFeatures* map : {&a, &b}) {
-    area += map->free_point_area * static_cast<double>(map->free_points.size());
-    wall += map->point_spacing * static_cast<double>(map->wall_points.size());
+    area += map->freeArea();
+    wall += map->wallLength();
   }
   return area / std::max(wall, 1e-9);
 }
@@ -143,7 +143,7 @@ void weighFit(const MapFeatures& a, const MapFeatures& b, const RankingOptions& 
 void addFits(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked> ranked, Alignment how,
              const RankingOptions& options, const EvidenceWeights& weights,
              const EvidenceWeights& bent_weights, std::vector<Fit>& fits) {
-  const Eigen::Vector2d centre_b(b.width / 2, b.height / 2);
+  const Eigen::Vector2d centre_b = b.middle();
   for (const AlignmentOptions& alignment : {options.first_alignment, options.alignment}) {
     align(a, b, ranked, alignment, how, options, weights);
     keepBest(ranked, options.aligned);
@@ -172,11 +172,6 @@ void addFits(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked> ran
 
 }  // namespace
 
-bool isSameAnswer(const RigidTransform& left, const RigidTransform& right,
-                  const Eigen::Vector2d& centre_b, double distance, double turn) {
-  return areNear(left * centre_b - right * centre_b, left.heading - right.heading, distance, turn);
-}
-
 std::vector<Fit> rankHypotheses(const MapFeatures& a, const MapFeatures& b,
                                 const std::vector<Hypothesis>& hypotheses,
                                 const RankingOptions& options, bool is_thorough) {
@@ -192,7 +187,7 @@ std::vector<Fit> rankHypotheses(const MapFeatures& a, const MapFeatures& b,
   keepBest(ranked, options.coarse_kept);
   score(a, b, ranked, options.fine_points, weights);
   keepBest(ranked, options.coarse_kept);
-  keepDistinct(ranked, options.aligned, {b.width / 2, b.height / 2}, options);
+  keepDistinct(ranked, options.aligned, b.middle(), options);
 
   std::vector<Fit> fits;
   addFits(a, b, ranked, Alignment::Wide, options, weights, bent_weights, fits);

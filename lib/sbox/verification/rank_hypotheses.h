@@ -35,14 +35,15 @@ struct RankingOptions {
   EvidenceOptions bent_evidence = {0.25, 0.15, 0.45};  ///< With the drift taken out.
   AlignmentOptions first_alignment = {1.25, 10, 200};  ///< Of the best ones, coarsely ...
   AlignmentOptions alignment;                          ///< ... and of those that are kept.
-  double narrow_kernel = 0.4;  ///< Of a second alignment where the first leaves doubt, metres.
-  DriftOptions drift;          ///< Of maps that are bent.
-  BoxMatchOptions boxes;       ///< Boxes that count as agreeing.
+  /// Of the careful alignment that a thorough search adds where walls are dense, metres.
+  double narrow_kernel = 0.4;
+  DriftOptions drift;     ///< Of maps that are bent.
+  BoxMatchOptions boxes;  ///< Boxes that count as agreeing.
 };
 
 /// The best distinct fits, with their log odds, in no order that means anything. If thorough, a
-/// second, more careful alignment is tried,
-/// too, where walls are dense. The order of the hypotheses matters only between equals.
+/// second, more careful alignment is tried, too, where walls are dense. The order of the hypotheses
+/// matters only between equals.
 [[nodiscard]] std::vector<Fit> rankHypotheses(const MapFeatures& a, const MapFeatures& b,
                                               const std::vector<Hypothesis>& hypotheses,
                                               const RankingOptions& options = {},

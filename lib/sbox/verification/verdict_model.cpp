@@ -23,8 +23,10 @@ std::array<double, kVerdictTerms> verdictTerms(const Fit& fit) {
   // A few metres of wall do not make a large share, nor a few square metres of area a small one.
   constexpr double few_metres = 10, few_square_metres = 10;
   const double area = evidence.free_free + few_square_metres;
-  // The drift field follows clutter that moved, too, so there it tells little.
-  const double bareness = std::pow(1 - clutter.known / (evidence.known + few_metres), 8);
+  // The drift field follows clutter that moved, too, so there it tells little: 9 parts of bare wall
+  // in 10 make 0.43 of this, 7 make 0.06. Of the powers tried, the one that fitted best.
+  constexpr int power = 8;
+  const double bareness = std::pow(1 - clutter.known / (evidence.known + few_metres), power);
   return {straight.agree / (straight.known + few_metres),
           std::log(clutter.agree + 1),
           std::log(crossWall(evidence) + 0.5),

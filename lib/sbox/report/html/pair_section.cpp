@@ -89,7 +89,7 @@ std::string controls(const PageData& page, const MapPair& pair) {
 }
 
 std::string facts(const PairResult& found) {
-  std::string text = "<ul>\n<li>Overlap " + fixedDigits(found.overlap_m2, 1) + " m&sup2;, " +
+  std::string text = "<ul>\n<li>Free in both: " + fixedDigits(found.overlap_m2, 1) + " m&sup2;; " +
                      counted(found.matched_boxes.size(), "matched box", "matched boxes") +
                      ".</li>\n";
   if (found.kalman) {
