@@ -5,16 +5,15 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "sbox-bench/judge.h"
+#include "sbox/core/logit.h"
 #include "sbox/core/parallel.h"
 #include "sbox/match_pair.h"
 
 namespace sbox::bench {
 namespace {
 
-constexpr int kFolds = 3;
 constexpr Eigen::Index kSize = kVerdictTerms + 1;  // The last is "none of the fits".
 using Weights = Eigen::Matrix<double, kSize, 1>;
 using Curvature = Eigen::Matrix<double, kSize, kSize>;
@@ -173,81 +172,11 @@ VerdictModel fitModel(const std::vector<VerdictSample>& samples, double ridge) {
 }
 
 std::vector<double> probabilities(const VerdictSample& sample, const VerdictModel& model) {
-  std::vector<double> odds;
-  double highest = model.none;
+  std::vector<double> log_odds;
   for (const auto& terms : sample.terms) {
-    const double sum = std::inner_product(terms.begin(), terms.end(), model.weights.begin(), 0.0);
-    odds.push_back(sum);
-    highest = std::max(highest, sum);
+    log_odds.push_back(logOdds(terms, model));
   }
-  double total = std::exp(model.none - highest);
-  for (double& value : odds) {
-    value = std::exp(value - highest);
-    total += value;
-  }
-  for (double& value : odds) {
-    value /= total;
-  }
-  return odds;
-}
-
-Table crossValidation(const std::vector<VerdictSample>& samples,
-                      const std::vector<std::string>& folder_names, double accept_from) {
-  // Pairs of one folder come in an order that puts like ones together; threes keep them so.
-  const auto foldOf = [](size_t i) { return static_cast<int>(i / kFolds % kFolds); };
-  std::vector<VerdictModel> models;
-  for (int fold = 0; fold < kFolds; ++fold) {
-    std::vector<VerdictSample> others;
-    for (size_t i = 0; i < samples.size(); ++i) {
-      if (foldOf(i) != fold) {
-        others.push_back(samples[i]);
-      }
-    }
-    models.push_back(fitModel(others));
-  }
-  struct Count {
-    int pairs = 0, right = 0, wrong = 0;
-  };
-  std::vector<Count> of_folder(folder_names.size());
-  constexpr std::array<double, 6> bins = {0, 0.5, 0.7, 0.9, 0.97, 1.000001};
-  std::array<double, 5> sum{};
-  std::array<Count, 5> of_bin{};
-  for (size_t i = 0; i < samples.size(); ++i) {
-    const std::vector<double> p = probabilities(samples[i], models[static_cast<size_t>(foldOf(i))]);
-    Count& count = of_folder[samples[i].folder];
-    ++count.pairs;
-    if (p.empty()) {
-      continue;
-    }
-    const auto best = static_cast<size_t>(std::max_element(p.begin(), p.end()) - p.begin());
-    const bool right = samples[i].right[best];
-    if (p[best] >= accept_from) {
-      ++(right ? count.right : count.wrong);
-    }
-    const auto bin =
-        static_cast<size_t>(std::upper_bound(bins.begin(), bins.end(), p[best]) - bins.begin() - 1);
-    sum[bin] += p[best];
-    ++of_bin[bin].pairs;
-    of_bin[bin].right += right ? 1 : 0;
-  }
-  Table table;
-  table.header = {"left out of the fit", "pairs",      "right", "wrong",
-                  "mean confidence",     "right share"};
-  for (size_t f = 0; f < of_folder.size(); ++f) {
-    table.rows.push_back({folder_names[f], std::to_string(of_folder[f].pairs),
-                          std::to_string(of_folder[f].right), std::to_string(of_folder[f].wrong),
-                          "", ""});
-  }
-  for (size_t bin = 0; bin < of_bin.size(); ++bin) {
-    if (of_bin[bin].pairs > 0) {
-      table.rows.push_back(
-          {formatNumber(bins[bin], 2) + " to " + formatNumber(bins[bin + 1], 2),
-           std::to_string(of_bin[bin].pairs), std::to_string(of_bin[bin].right), "",
-           formatNumber(sum[bin] / of_bin[bin].pairs, 3),
-           formatNumber(of_bin[bin].right / static_cast<double>(of_bin[bin].pairs), 3)});
-    }
-  }
-  return table;
+  return probabilitiesByLogit(log_odds, model.none);
 }
 
 }  // namespace sbox::bench

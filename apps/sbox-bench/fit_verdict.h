@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Fits the weights of the verdict's model (sbox/verification/verdict_model.h) to pairs with known
-// truth, and shows on pairs that were left out how far its probabilities can be trusted.
+// truth.
 #pragma once
 
 #include <array>
-#include <string>
 #include <vector>
 
 #include "sbox-bench/run_method.h"
-#include "sbox-bench/table.h"
 #include "sbox/verification/verdict_model.h"
 
 namespace sbox::bench {
@@ -34,11 +32,5 @@ struct VerdictSample {
 /// Probability of each fit of a sample.
 [[nodiscard]] std::vector<double> probabilities(const VerdictSample& sample,
                                                 const VerdictModel& model);
-
-/// Reliability in three-fold cross-validation: each third of the pairs is judged by a model fitted
-/// to the others. `accept_from`: probability from which an answer counts as given.
-[[nodiscard]] Table crossValidation(const std::vector<VerdictSample>& samples,
-                                    const std::vector<std::string>& folder_names,
-                                    double accept_from);
 
 }  // namespace sbox::bench

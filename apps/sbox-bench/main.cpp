@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "sbox-bench/calibration.h"
+#include "sbox-bench/cross_validation.h"
 #include "sbox-bench/fit_verdict.h"
 #include "sbox-bench/io_floor.h"
 #include "sbox-bench/method_list.h"

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "catch.h"
+#include "sbox-bench/cross_validation.h"
 #include "sbox-bench/fit_verdict.h"
 
 using namespace sbox;

@@ -90,7 +90,7 @@ TEST_CASE("straight wall in conflict says more than as much clutter", "[verifica
   fits[2].bent_evidence.conflict += metres;
   fits[2].bent_evidence.straight.conflict += metres;
   for (size_t i = 0; i + 1 < fits.size(); ++i) {
-    CHECK(logOdds(fits[i]) > logOdds(fits[i + 1]));
+    CHECK(logOdds(verdictTerms(fits[i])) > logOdds(verdictTerms(fits[i + 1])));
   }
 }
 
@@ -101,9 +101,9 @@ TEST_CASE("a fit more bent than its maps is less probable where walls are bare",
   cluttered.bent_evidence.straight = {};
   const auto fallsBy = [](Fit fit) {
     fit.bend_ratio = 0.5;
-    const double before = logOdds(fit);
+    const double before = logOdds(verdictTerms(fit));
     fit.bend_ratio = 2.5;
-    return before - logOdds(fit);
+    return before - logOdds(verdictTerms(fit));
   };
   CHECK(fallsBy(bare) > std::log(100));
   CHECK(fallsBy(cluttered) >= 0);

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "sbox/core/rigid_transform.h"
 #include "sbox/features/map_features.h"
-#include "sbox/matching/hypothesis.h"
 #include "sbox/refinement/drift_field.h"
 
 namespace sbox {

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "sbox/core/logit.h"
 #include "sbox/core/round.h"
 #include "sbox/placement/settled_group.h"
 
@@ -189,12 +190,11 @@ std::optional<JoinEvidence> weighJoin(const std::vector<CrossPair>& pairs,
   if (distinct.empty()) {
     return std::nullopt;
   }
-  const double highest = std::max(0.0, distinct.front().log_odds);
-  double sum = std::exp(-highest);
+  std::vector<double> log_odds;
   for (const JoinEvidence& evidence : distinct) {
-    sum += std::exp(evidence.log_odds - highest);
+    log_odds.push_back(evidence.log_odds);
   }
-  distinct.front().probability = std::exp(distinct.front().log_odds - highest) / sum;
+  distinct.front().probability = probabilitiesByLogit(log_odds, 0).front();
   return distinct.front();
 }
 

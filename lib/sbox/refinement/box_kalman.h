@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "sbox/matching/hypothesis.h"
+#include "sbox/core/rigid_transform.h"
 #include "sbox/refinement/corner_pairs.h"
 
 namespace sbox {

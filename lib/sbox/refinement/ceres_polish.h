@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
+#include "sbox/core/rigid_transform.h"
 #include "sbox/features/map_features.h"
-#include "sbox/matching/hypothesis.h"
 #include "sbox/refinement/corner_pairs.h"
 
 namespace ceres {

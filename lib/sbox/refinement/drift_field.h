@@ -9,8 +9,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "sbox/core/rigid_transform.h"
 #include "sbox/features/map_features.h"
-#include "sbox/matching/hypothesis.h"
 
 namespace sbox {
 

@@ -6,8 +6,8 @@
 // building that agrees best as it is.
 #pragma once
 
+#include "sbox/core/rigid_transform.h"
 #include "sbox/features/map_features.h"
-#include "sbox/matching/hypothesis.h"
 #include "sbox/refinement/drift_field.h"
 
 namespace sbox {

@@ -5,8 +5,8 @@
 // the nearest wall of the other map that faces the same way, in both directions at once.
 #pragma once
 
+#include "sbox/core/rigid_transform.h"
 #include "sbox/features/map_features.h"
-#include "sbox/matching/hypothesis.h"
 
 namespace sbox {
 

@@ -9,8 +9,8 @@
 #include <array>
 #include <limits>
 
+#include "sbox/core/rigid_transform.h"
 #include "sbox/features/map_features.h"
-#include "sbox/matching/hypothesis.h"
 #include "sbox/refinement/drift_field.h"
 
 namespace sbox {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "sbox/matching/hypothesis.h"
+#include "sbox/core/rigid_transform.h"
 #include "sbox/refinement/drift_field.h"
 #include "sbox/verification/evidence.h"
 

@@ -135,7 +135,7 @@ Fit fitOf(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in
 void weighFit(const MapFeatures& a, const MapFeatures& b, const RankingOptions& options, Fit& fit) {
   fit.bend_ratio = bendRatio(a, b, fit.drift);
   fit.boxes = static_cast<int>(matchBoxes(a, b, fit.b_in_a, fit.drift, options.boxes).size());
-  fit.log_odds = logOdds(fit);
+  fit.log_odds = logOdds(verdictTerms(fit));
 }
 
 /// Aligns the candidates, and adds those that are about as plausible as the best to the fits. Of

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "sbox/core/logit.h"
+
 namespace sbox {
 
 double crossWall(const Evidence& evidence) {
@@ -37,23 +39,19 @@ std::array<double, kVerdictTerms> verdictTerms(const Fit& fit) {
           fit.bend_ratio * bareness};
 }
 
-double logOdds(const Fit& fit, const VerdictModel& model) {
-  const std::array<double, kVerdictTerms> terms = verdictTerms(fit);
+double logOdds(const std::array<double, kVerdictTerms>& terms, const VerdictModel& model) {
   return std::inner_product(terms.begin(), terms.end(), model.weights.begin(), 0.0);
 }
 
 void judge(std::vector<Fit>& fits, const VerdictModel& model) {
-  double highest = model.none;
+  std::vector<double> log_odds;
   for (Fit& fit : fits) {
-    fit.log_odds = logOdds(fit, model);
-    highest = std::max(highest, fit.log_odds);
+    fit.log_odds = logOdds(verdictTerms(fit), model);
+    log_odds.push_back(fit.log_odds);
   }
-  double sum = std::exp(model.none - highest);
-  for (const Fit& fit : fits) {
-    sum += std::exp(fit.log_odds - highest);
-  }
-  for (Fit& fit : fits) {
-    fit.probability = std::exp(fit.log_odds - highest) / sum;
+  const std::vector<double> probabilities = probabilitiesByLogit(log_odds, model.none);
+  for (size_t i = 0; i < fits.size(); ++i) {
+    fits[i].probability = probabilities[i];
   }
   std::stable_sort(fits.begin(), fits.end(), [](const Fit& left, const Fit& right) {
     return left.log_odds > right.log_odds;

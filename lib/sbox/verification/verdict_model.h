@@ -35,8 +35,9 @@ struct VerdictModel {
   double none = 12.327;  ///< Log odds of "none of the fits is right".
 };
 
-/// Log odds that a fit is right, up to a constant.
-[[nodiscard]] double logOdds(const Fit& fit, const VerdictModel& model = {});
+/// Log odds that the fit of these terms is right, up to a constant.
+[[nodiscard]] double logOdds(const std::array<double, kVerdictTerms>& terms,
+                             const VerdictModel& model = {});
 
 /// Sets log_odds and probability of each fit, and sorts them, the most probable first.
 void judge(std::vector<Fit>& fits, const VerdictModel& model = {});
