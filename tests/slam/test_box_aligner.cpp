@@ -15,9 +15,12 @@
 #endif
 
 #include <memory>
+#include <set>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "apps/office.h"
 #include "catch.h"
@@ -160,6 +163,27 @@ TEST_CASE("options come from one section, every key optional", "[box_aligner]") 
   BoxAligner::Options back;
   back.loadFromConfigFile(saved, "mine");
   CHECK(back.merge.paper.states.free_above == Approx(0.7));
+}
+
+TEST_CASE("options of what comes before and after the matching of a pair are not the aligner's",
+          "[box_aligner]") {
+  mrpt::config::CConfigFileMemory saved;
+  BoxAligner::Options().saveToConfigFile(saved, "mine");
+  std::vector<std::string> keys;
+  saved.getAllKeys("mine", keys);
+  std::set<std::string> stages;
+  for (const std::string& key : keys) {
+    stages.insert(key.substr(0, key.find('.')));
+  }
+  CHECK(stages == std::set<std::string>{"features", "matching", "method", "paper", "refinement",
+                                        "verification"});
+
+  BoxAligner::Options options;
+  const int partners = options.merge.retrieval.partners;
+  const mrpt::config::CConfigFileMemory some(
+      "[mine]\nretrieval.partners = " + std::to_string(partners + 1) + "\n");
+  options.loadFromConfigFile(some, "mine");
+  CHECK(options.merge.retrieval.partners == partners);
 }
 
 TEST_CASE("a value that cannot be is named with its key", "[box_aligner]") {

@@ -35,7 +35,7 @@ void describeAdjustment(AdjustmentOptions& options, OptionTable& table) {
 
 }  // namespace
 
-OptionTable describeOptions(MergeOptions& options) {
+OptionTable describePairOptions(MergeOptions& options) {
   OptionTable table;
   table.section("merge");
   table.choice<Method>("method", options.method,
@@ -43,7 +43,11 @@ OptionTable describeOptions(MergeOptions& options) {
                        "How pairs of maps are matched");
   describe(options.pair, table);
   describe(options.paper, table);
+  return table;
+}
 
+OptionTable describeOptions(MergeOptions& options) {
+  OptionTable table = describePairOptions(options);
   table.section("retrieval");
   table.count("partners", options.retrieval.partners, {0, 100000},
               "Of many maps, each is matched with this many that look most like it; 0: all");

@@ -7,26 +7,12 @@
 #include <ostream>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "sbox/config/describe_options.h"
 #include "sbox/slam/box_aligner.h"
 
 namespace sbox {
 namespace {
-
-/// The rows that concern a pair of maps.
-std::vector<OptionRow> pairRows(MergeOptions& options) {
-  std::vector<OptionRow> rows;
-  const OptionTable table = describeOptions(options);
-  for (const OptionRow& row : table.rows()) {
-    const std::string stage = row.section.substr(0, row.section.find('.'));
-    if (stage != "mapping" && stage != "placement" && stage != "fusion") {
-      rows.push_back(row);
-    }
-  }
-  return rows;
-}
 
 std::string keyOf(const OptionRow& row) {
   return row.section == "merge" ? row.key : row.section + "." + row.key;
@@ -36,7 +22,8 @@ std::string keyOf(const OptionRow& row) {
 
 void BoxAligner::Options::loadFromConfigFile(const mrpt::config::CConfigFileBase& source,
                                              const std::string& section) {
-  for (const OptionRow& row : pairRows(merge)) {
+  const OptionTable table = describePairOptions(merge);
+  for (const OptionRow& row : table.rows()) {
     const std::string key = keyOf(row);
     const std::string value = source.read_string(section, key, "");
     if (value.empty()) {
@@ -55,14 +42,16 @@ void BoxAligner::Options::loadFromConfigFile(const mrpt::config::CConfigFileBase
 void BoxAligner::Options::saveToConfigFile(mrpt::config::CConfigFileBase& target,
                                            const std::string& section) const {
   MergeOptions copy = merge;
-  for (const OptionRow& row : pairRows(copy)) {
+  const OptionTable table = describePairOptions(copy);
+  for (const OptionRow& row : table.rows()) {
     target.write(section, keyOf(row), row.read(), -1, -1, row.meaning);
   }
 }
 
 void BoxAligner::Options::dumpToTextStream(std::ostream& out) const {
   MergeOptions copy = merge;
-  for (const OptionRow& row : pairRows(copy)) {
+  const OptionTable table = describePairOptions(copy);
+  for (const OptionRow& row : table.rows()) {
     out << keyOf(row) << " = " << row.read() << "  // " << row.meaning << "\n";
   }
 }

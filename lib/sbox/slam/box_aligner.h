@@ -29,7 +29,7 @@ class BoxAligner : public mrpt::slam::CMetricMapsAlignmentAlgorithm {
   BoxAligner();
 
   /// Every option of the matching, in one section of an ini file, all keys optional: `method`, and
-  /// keys such as `paper.lines.min_votes`; dumpToTextStream lists them with units.
+  /// keys such as `paper.lines.max_lines`; dumpToTextStream lists them with units.
   struct Options : public mrpt::config::CLoadableOptions {
     /// Only what concerns the matching of a pair has a meaning here.
     MergeOptions merge;
