@@ -7,6 +7,7 @@
 #include <random>
 
 #include "sbox-bench/method_list.h"
+#include "sbox-paper/adjusted_pair.h"
 #include "sbox-paper/answers.h"
 #include "sbox-paper/wall_length.h"
 #include "sbox/core/parallel.h"
@@ -18,12 +19,49 @@ LineSegment carried(const Pose2D& pose, const LineSegment& segment) {
   return {pose.composePoint(segment.from), pose.composePoint(segment.to)};
 }
 
+/// The world's yardsticks in three maps. `frame_2` has the frame of the second run's map in that of
+/// `grid_2`; an empty grid has no lengths.
+std::vector<WallLengths> measureWalls(const RobotPair& robots, const Pose2D& frame_2,
+                                      const StateGrid& grid_1, const StateGrid& grid_2,
+                                      const StateGrid& merged) {
+  std::vector<WallLengths> walls;
+  for (const LineSegment& yardstick : robots.world.yardsticks) {
+    const Point2D middle = (yardstick.from + yardstick.to) * 0.5;
+    const LineSegment in_1 = carried(worldInMap(robots.runs[0], middle), yardstick);
+    const LineSegment in_2 = carried(frame_2 + worldInMap(robots.runs[1], middle), yardstick);
+    WallLengths& wall = walls.emplace_back();
+    wall.truth = (yardstick.to - yardstick.from).norm();
+    wall.map_1 = wallLength(grid_1, in_1);
+    wall.map_2 = wallLength(grid_2, in_2);
+    if (!merged.empty()) {
+      wall.merged = wallLength(merged, in_1);
+    }
+  }
+  return walls;
+}
+
+/// Adds what becomes of the pair when all scans are adjusted together.
+void measureFromScans(RoomsPair& pair) {
+  NamedCoincidence& entry = pair.coincidences.emplace_back();
+  entry.name = "ours, from all scans";
+  if (!pair.answer.has_pose) {
+    return;
+  }
+  const RobotPair adjusted = adjustedPair(pair.robots, pair.answer.pose_b_in_a);
+  entry.coincidence = wallCoincidence(adjusted, Pose2D());
+  pair.from_scans.verdict = pair.answer.verdict;
+  pair.from_scans.walls =
+      measureWalls(adjusted, Pose2D(), classifyCells(adjusted.maps[0]),
+                   classifyCells(adjusted.maps[1]), classifyCells(mapOfBoth(adjusted)));
+}
+
 void measure(RoomsPair& pair, const std::vector<double>& angles_deg) {
   pair.answer = solve(defaultMethod(), pair.robots.maps[0], pair.robots.maps[1]);
   if (pair.robots.truth && pair.answer.has_pose) {
     pair.error = errorOf(pair.answer.pose_b_in_a, *pair.robots.truth);
   }
   pair.coincidences = compareCoincidence(pair.robots, pair.answer);
+  measureFromScans(pair);
   for (const double angle : {0.0, 45.0, 90.0}) {
     pair.right_angles.push_back(measureTurned(pair.robots, angle));
   }
@@ -79,19 +117,7 @@ TurnedLengths measureTurned(const RobotPair& robots, double angle_deg) {
   const StateGrid merged = answer.verdict == Verdict::Accepted
                                ? classifyCells(mergeTwo(map_1, map_2, answer.pose_b_in_a))
                                : StateGrid();
-  for (const LineSegment& yardstick : robots.world.yardsticks) {
-    const Point2D middle = (yardstick.from + yardstick.to) * 0.5;
-    const LineSegment in_1 = carried(worldInMap(robots.runs[0], middle), yardstick);
-    const LineSegment in_2 =
-        carried(Pose2D(0, 0, angle) + worldInMap(robots.runs[1], middle), yardstick);
-    WallLengths& wall = result.walls.emplace_back();
-    wall.truth = (yardstick.to - yardstick.from).norm();
-    wall.map_1 = wallLength(grid_1, in_1);
-    wall.map_2 = wallLength(grid_2, in_2);
-    if (!merged.empty()) {
-      wall.merged = wallLength(merged, in_1);
-    }
-  }
+  result.walls = measureWalls(robots, Pose2D(0, 0, angle), grid_1, grid_2, merged);
   return result;
 }
 

@@ -58,6 +58,7 @@ struct RoomsPair {
   std::vector<NamedCoincidence> coincidences;
   std::vector<TurnedLengths> right_angles;   ///< 0, 45 and 90 degrees: Table 2.
   std::vector<TurnedLengths> random_angles;  ///< By angle: figure 11.
+  TurnedLengths from_scans;  ///< All maps from scans adjusted together; no walls if not matched.
 };
 
 /// The pairs by RBPF-SLAM first.

@@ -131,9 +131,12 @@ void addCoincidenceSection(Page& page, const std::vector<RoomsPair>& pairs,
       "of "
       "their length (9 edges) lies double after a plain merge by the best pair of boxes, 2.4 % (1 "
       "edge) "
-      "after its Kalman step. The last column is the best that any rigid transform can do: what "
-      "the "
-      "SLAM has bent stays bent. Where the paper's columns come near 100 %, its best pair of boxes "
+      "after its Kalman step. The best rigid fit is the best that a transform can do: what the "
+      "SLAM has bent stays bent. The last column is what <code>sbox-merge --fusion "
+      "observations</code> "
+      "makes of the same robots: from where the maps were placed, all scans are adjusted together "
+      "and "
+      "the map is made anew. Where the paper's columns come near 100 %, its best pair of boxes "
       "is a wrong one, "
       "which no Kalman step can mend.");
   Table table;
@@ -143,7 +146,7 @@ void addCoincidenceSection(Page& page, const std::vector<RoomsPair>& pairs,
     table.header.push_back(entry.name);
   }
   std::vector<BarGroup> groups;
-  int met = 0, icp = 0;
+  int met = 0, icp = 0, met_from_scans = 0;
   for (const RoomsPair& pair : pairs) {
     std::vector<std::string>& row = table.rows.emplace_back();
     row.push_back(nameOf(pair));
@@ -155,25 +158,31 @@ void addCoincidenceSection(Page& page, const std::vector<RoomsPair>& pairs,
     }
     BarGroup& group = groups.emplace_back();
     group.label = (pair.slam == Slam::Rbpf ? "RBPF " : "ICP ") + std::to_string(pair.seed);
-    for (const char* name :
-         {"paper, plain merge", "paper, Kalman", "ours, reported", "best rigid fit to the truth"}) {
+    for (const char* name : {"paper, plain merge", "paper, Kalman", "ours, reported",
+                             "best rigid fit to the truth", "ours, from all scans"}) {
       const double share = shareOf(pair, name).value_or(1);
       group.values.push_back(100 * share);
       group.texts.push_back(formatNumber(100 * share, share < 0.1 ? 1 : 0));
     }
     const auto ours = shareOf(pair, "ours, reported");
+    const auto from_scans = shareOf(pair, "ours, from all scans");
+    met_from_scans += pair.error.right && from_scans && *from_scans <= 0.024 ? 1 : 0;
     icp += pair.slam == Slam::Icp ? 1 : 0;
     met += pair.slam == Slam::Icp && pair.error.right && ours && *ours <= 0.024 ? 1 : 0;
   }
   page.target(met == icp, "At most 2.4 % double: " + std::to_string(met) + " of " +
                               std::to_string(icp) + " pairs by ICP-SLAM.");
+  const auto all = static_cast<int>(pairs.size());
+  page.target(met_from_scans == all,
+              "At most 2.4 % double from all scans: " + std::to_string(met_from_scans) + " of " +
+                  std::to_string(all) + " pairs by either SLAM.");
   page.table("Share of the wall edges' length that is double (edges, of those both maps show)",
              table);
-  page.figure(
-      barsSvg("Share of double walls", "double, % of edge length", 100,
-              {"plain merge by the paper", "the paper's Kalman step", "ours", "best rigid fit"},
-              groups),
-      "Share of double walls for each pair of maps.");
+  page.figure(barsSvg("Share of double walls", "double, % of edge length", 100,
+                      {"plain merge by the paper", "the paper's Kalman step", "ours",
+                       "best rigid fit", "ours, from all scans"},
+                      groups),
+              "Share of double walls for each pair of maps.");
   const RoomsPair& shown = pairs.back();
   const StateGrid a = classifyCells(shown.robots.maps[0]), b = classifyCells(shown.robots.maps[1]);
   const auto plain = plainPaperPose(shown.robots.maps[0], shown.robots.maps[1]);
@@ -204,18 +213,23 @@ void addLengthSections(Page& page, const std::vector<RoomsPair>& pairs, const st
   }
   page.section("Wall lengths at random angles (figure 11)", source);
   Table table;
-  table.header = {"maps", "angles", "mean error", "worst angle's", "not merged"};
+  table.header = {"maps", "angles", "mean error", "worst angle's", "not merged", "from all scans"};
   bool met = true;
   for (const RoomsPair& pair : pairs) {
     const ErrorSummary summary = summarise(pair);
     table.rows.push_back({nameOf(pair), std::to_string(summary.angles), percent(summary.mean, 2),
-                          percent(summary.worst, 2), std::to_string(summary.missing)});
+                          percent(summary.worst, 2), std::to_string(summary.missing),
+                          pair.from_scans.walls.empty()
+                              ? "-"
+                              : errorText(pair.from_scans.meanError(&WallLengths::merged))});
     met = met && summary.missing == 0 && summary.worst <= 0.02;
   }
   page.target(met, "Mean error of the merged map at most 2 % at every angle (paper: within 5 %).");
   page.figure(angleCurves(pairs.back()),
               "Figure 11: mean error over the eight walls, " + nameOf(pairs.back()) + ".");
-  page.table("Error of the merged map over all angles", table);
+  page.table(
+      "Error of the merged map over all angles; beside it that of the map made anew from all scans",
+      table);
 }
 
 }  // namespace sbox::paper
