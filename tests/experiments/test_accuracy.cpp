@@ -69,7 +69,7 @@ TEST_CASE("walls of the merged map have their length at any angle", "[accuracy]"
     const TurnedLengths lengths = measureTurned(robots, angle);
     INFO(angle << " degrees");
     REQUIRE(lengths.verdict == Verdict::Accepted);
-    const auto error = lengths.meanError(&WallLengths::merged);
+    const auto error = meanError(lengths.walls, &WallLengths::merged);
     REQUIRE(error);
     CHECK(*error < 0.01);  // 0.0025 to 0.0060.
   }

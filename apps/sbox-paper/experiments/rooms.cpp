@@ -47,10 +47,10 @@ void measureFromScans(RoomsPair& pair) {
   if (!pair.answer.has_pose) {
     return;
   }
-  const RobotPair adjusted = adjustedPair(pair.robots, pair.answer.pose_b_in_a);
+  const RobotPair& adjusted =
+      pair.adjusted.emplace(adjustedPair(pair.robots, pair.answer.pose_b_in_a));
   entry.coincidence = wallCoincidence(adjusted, Pose2D());
-  pair.from_scans.verdict = pair.answer.verdict;
-  pair.from_scans.walls =
+  pair.adjusted_walls =
       measureWalls(adjusted, Pose2D(), classifyCells(adjusted.maps[0]),
                    classifyCells(adjusted.maps[1]), classifyCells(mapOfBoth(adjusted)));
 }
@@ -72,7 +72,11 @@ void measure(RoomsPair& pair, const std::vector<double>& angles_deg) {
 
 }  // namespace
 
-std::optional<double> TurnedLengths::meanError(std::optional<double> WallLengths::*map) const {
+std::optional<double> meanError(const std::vector<WallLengths>& walls,
+                                std::optional<double> WallLengths::*map) {
+  if (walls.empty()) {
+    return std::nullopt;
+  }
   double sum = 0;
   for (const WallLengths& wall : walls) {
     if (!(wall.*map)) {

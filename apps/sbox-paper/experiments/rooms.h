@@ -44,10 +44,12 @@ struct TurnedLengths {
   double angle_deg = 0;
   Verdict verdict = Verdict::Rejected;
   std::vector<WallLengths> walls;
-
-  /// Mean over the walls of |length - truth| / truth; none if a wall was not measured.
-  [[nodiscard]] std::optional<double> meanError(std::optional<double> WallLengths::*map) const;
 };
+
+/// Mean over the walls of |length - truth| / truth; none if a wall was not measured or none is
+/// there.
+[[nodiscard]] std::optional<double> meanError(const std::vector<WallLengths>& walls,
+                                              std::optional<double> WallLengths::*map);
 
 struct RoomsPair {
   Slam slam = Slam::Icp;
@@ -58,7 +60,9 @@ struct RoomsPair {
   std::vector<NamedCoincidence> coincidences;
   std::vector<TurnedLengths> right_angles;   ///< 0, 45 and 90 degrees: Table 2.
   std::vector<TurnedLengths> random_angles;  ///< By angle: figure 11.
-  TurnedLengths from_scans;  ///< All maps from scans adjusted together; no walls if not matched.
+  /// After all scans were adjusted together; none if the maps were not matched.
+  std::optional<RobotPair> adjusted;
+  std::vector<WallLengths> adjusted_walls;  ///< In its maps; merged: in the map of all scans.
 };
 
 /// The pairs by RBPF-SLAM first.

@@ -62,7 +62,7 @@ Table lengthTable(const RoomsPair& pair) {
   mean = {"mean error", ""};
   for (const TurnedLengths& turned : pair.right_angles) {
     for (const auto map : {&WallLengths::map_1, &WallLengths::map_2, &WallLengths::merged}) {
-      mean.push_back(errorText(turned.meanError(map)));
+      mean.push_back(errorText(meanError(turned.walls, map)));
     }
   }
   return table;
@@ -81,7 +81,7 @@ ErrorSummary summarise(const RoomsPair& pair) {
   for (const auto* list : {&pair.right_angles, &pair.random_angles}) {
     for (const TurnedLengths& turned : *list) {
       ++summary.angles;
-      const auto error = turned.meanError(&WallLengths::merged);
+      const auto error = meanError(turned.walls, &WallLengths::merged);
       if (!error) {
         ++summary.missing;
         continue;
@@ -103,7 +103,7 @@ std::string angleCurves(const RoomsPair& pair) {
                          std::optional<double> WallLengths::*map) {
     std::vector<std::pair<double, double>> points;
     for (const TurnedLengths& turned : pair.random_angles) {
-      if (const auto error = turned.meanError(map)) {
+      if (const auto error = meanError(turned.walls, map)) {
         points.emplace_back(turned.angle_deg, 100 * *error);
       }
     }
@@ -179,8 +179,7 @@ void addCoincidenceSection(Page& page, const std::vector<RoomsPair>& pairs,
   page.table("Share of the wall edges' length that is double (edges, of those both maps show)",
              table);
   page.figure(barsSvg("Share of double walls", "double, % of edge length", 100,
-                      {"plain merge by the paper", "the paper's Kalman step", "ours",
-                       "best rigid fit", "ours, from all scans"},
+                      {"paper, plain", "paper, Kalman", "ours", "best rigid fit", "from all scans"},
                       groups),
               "Share of double walls for each pair of maps.");
   const RoomsPair& shown = pairs.back();
@@ -193,6 +192,16 @@ void addCoincidenceSection(Page& page, const std::vector<RoomsPair>& pairs,
   if (shown.answer.has_pose) {
     page.picture(drawOverlay(a, b, shown.answer.pose_b_in_a, "ours", "map 1", "map 2"),
                  "Figure 8b: our merge, " + nameOf(shown) + ".");
+  }
+  const RoomsPair& bent = pairs.front();
+  if (bent.adjusted) {
+    page.picture(drawOverlay(classifyCells(bent.robots.maps[0]), classifyCells(bent.robots.maps[1]),
+                             bent.answer.pose_b_in_a, "ours", "map 1", "map 2"),
+                 "Our merge, " + nameOf(bent) + ".");
+    page.picture(
+        drawOverlay(classifyCells(bent.adjusted->maps[0]), classifyCells(bent.adjusted->maps[1]),
+                    Pose2D(), "ours, from all scans", "map 1", "map 2"),
+        "The same robots after all scans were adjusted together.");
   }
 }
 
@@ -219,9 +228,7 @@ void addLengthSections(Page& page, const std::vector<RoomsPair>& pairs, const st
     const ErrorSummary summary = summarise(pair);
     table.rows.push_back({nameOf(pair), std::to_string(summary.angles), percent(summary.mean, 2),
                           percent(summary.worst, 2), std::to_string(summary.missing),
-                          pair.from_scans.walls.empty()
-                              ? "-"
-                              : errorText(pair.from_scans.meanError(&WallLengths::merged))});
+                          errorText(meanError(pair.adjusted_walls, &WallLengths::merged))});
     met = met && summary.missing == 0 && summary.worst <= 0.02;
   }
   page.target(met, "Mean error of the merged map at most 2 % at every angle (paper: within 5 %).");
