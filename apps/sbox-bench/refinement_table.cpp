@@ -11,6 +11,7 @@
 #include "sbox-bench/judge.h"
 #include "sbox-bench/statistics.h"
 #include "sbox/core/parallel.h"
+#include "sbox/core/rigid_fit.h"
 #include "sbox/match_pair.h"
 #include "sbox/paper/kalman_step.h"
 #include "sbox/refinement/corner_pairs.h"

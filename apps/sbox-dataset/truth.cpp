@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "sbox/core/rigid_fit.h"
 #include "sbox/core/state_grid.h"
 
 namespace sbox::dataset {
@@ -61,26 +62,17 @@ std::vector<T> thinned(const std::vector<T>& all, size_t count) {
 
 /// Fills in the rigid transform that fits the places best, and what it leaves of them.
 void fitPlaces(PairTruth& truth) {
-  const auto count = static_cast<double>(truth.places.size());
-  Point2D centre_in_a, centre_in_b;
+  std::vector<Point2D> all_in_a, all_in_b;
   for (const auto& [in_a, in_b] : truth.places) {
-    centre_in_a += in_a * (1 / count);
-    centre_in_b += in_b * (1 / count);
+    all_in_a.push_back(in_a);
+    all_in_b.push_back(in_b);
   }
-  double cosine = 0, sine = 0;
-  for (const auto& [in_a, in_b] : truth.places) {
-    const Point2D a = in_a - centre_in_a, b = in_b - centre_in_b;
-    cosine += a.x * b.x + a.y * b.y;
-    sine += a.y * b.x - a.x * b.y;
-  }
-  const Pose2D turn(0, 0, std::atan2(sine, cosine));
-  const Point2D offset = centre_in_a - turn.composePoint(centre_in_b);
-  truth.pose_b_in_a = {offset.x, offset.y, turn.phi};
+  truth.pose_b_in_a = fitRigid(all_in_b, all_in_a);
   double sum = 0;
   for (const auto& [in_a, in_b] : truth.places) {
     sum += (truth.pose_b_in_a.composePoint(in_b) - in_a).sqrNorm();
   }
-  truth.rms = std::sqrt(sum / count);
+  truth.rms = std::sqrt(sum / static_cast<double>(truth.places.size()));
 }
 
 double overlapOf(const Map& map_a, const Map& map_b, const Pose2D& pose_b_in_a) {

@@ -58,29 +58,3 @@ TEST_CASE("too few matches have no pose", "[bench][rigid_ransac]") {
   CHECK(rigidRansac({}).inliers.empty());
   CHECK(rigidRansac({{{0, 0}, {0, 0}}}).inliers.empty());
 }
-
-TEST_CASE("the fit has the least squares among its neighbours", "[bench][rigid_ransac]") {
-  std::vector<PointMatch> matches = matchesUnder({3, 1, 0.4}, 12, 0);
-  std::mt19937 random(5);
-  std::normal_distribution<double> noise(0, 0.3);
-  std::vector<int> indices;
-  for (PointMatch& m : matches) {
-    m.in_a.x += noise(random);
-    m.in_a.y += noise(random);
-    indices.push_back(static_cast<int>(indices.size()));
-  }
-  const auto squares = [&](const Pose2D& pose) {
-    double sum = 0;
-    for (const PointMatch& m : matches) {
-      const Point2D d = pose.composePoint(m.in_b) - m.in_a;
-      sum += d.x * d.x + d.y * d.y;
-    }
-    return sum;
-  };
-  const Pose2D fit = fitRigid(matches, indices);
-  for (const double step : {-1e-3, 1e-3}) {
-    CHECK(squares(fit) < squares({fit.x + step, fit.y, fit.phi}));
-    CHECK(squares(fit) < squares({fit.x, fit.y + step, fit.phi}));
-    CHECK(squares(fit) < squares({fit.x, fit.y, fit.phi + step}));
-  }
-}

@@ -5,6 +5,7 @@
 
 #include "catch.h"
 #include "drawing.h"
+#include "sbox/core/rigid_fit.h"
 #include "sbox/paper/kalman_step.h"
 
 using namespace sbox;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <random>
 
+#include "sbox/core/rigid_fit.h"
+
 namespace sbox::bench {
 namespace {
 
@@ -25,29 +27,17 @@ std::vector<int> agreeing(const std::vector<PointMatch>& matches, const Pose2D& 
   return indices;
 }
 
-}  // namespace
-
-Pose2D fitRigid(const std::vector<PointMatch>& matches, const std::vector<int>& indices) {
-  const auto n = static_cast<double>(indices.size());
-  Point2D mean_a, mean_b;
+Pose2D fitOf(const std::vector<PointMatch>& matches, const std::vector<int>& indices) {
+  std::vector<Point2D> from, to;
   for (const int i : indices) {
     const PointMatch& m = matches[static_cast<size_t>(i)];
-    mean_a += m.in_a * (1 / n);
-    mean_b += m.in_b * (1 / n);
+    from.push_back(m.in_b);
+    to.push_back(m.in_a);
   }
-  double along = 0, across = 0;
-  for (const int i : indices) {
-    const PointMatch& m = matches[static_cast<size_t>(i)];
-    const Point2D a = m.in_a - mean_a, b = m.in_b - mean_b;
-    along += b.x * a.x + b.y * a.y;
-    across += b.x * a.y - b.y * a.x;
-  }
-  Pose2D pose(0, 0, std::atan2(across, along));
-  const Point2D turned = pose.composePoint(mean_b);
-  pose.x = mean_a.x - turned.x;
-  pose.y = mean_a.y - turned.y;
-  return pose;
+  return fitRigid(from, to);
 }
+
+}  // namespace
 
 RansacResult rigidRansac(const std::vector<PointMatch>& matches, const RansacOptions& options) {
   RansacResult best;
@@ -66,14 +56,14 @@ RansacResult rigidRansac(const std::vector<PointMatch>& matches, const RansacOpt
         std::abs(length_a - length_b) > 2 * options.tolerance) {
       continue;
     }
-    const Pose2D pose = fitRigid(matches, {first, second});
+    const Pose2D pose = fitOf(matches, {first, second});
     std::vector<int> inliers = agreeing(matches, pose, options.tolerance);
     if (inliers.size() > best.inliers.size()) {
       best = {pose, std::move(inliers)};
     }
   }
   for (int i = 0; i < kRefits && best.inliers.size() >= 2; ++i) {
-    best.pose_b_in_a = fitRigid(matches, best.inliers);
+    best.pose_b_in_a = fitOf(matches, best.inliers);
     best.inliers = agreeing(matches, best.pose_b_in_a, options.tolerance);
   }
   return best;

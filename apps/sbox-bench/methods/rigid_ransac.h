@@ -33,9 +33,4 @@ struct RansacResult {
 [[nodiscard]] RansacResult rigidRansac(const std::vector<PointMatch>& matches,
                                        const RansacOptions& options = {});
 
-/// The pose of b in a with the least sum of squared distances over the matches of these indices; at
-/// least one.
-[[nodiscard]] Pose2D fitRigid(const std::vector<PointMatch>& matches,
-                              const std::vector<int>& indices);
-
 }  // namespace sbox::bench

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "sbox/paper/transform.h"
+#include "sbox/core/rigid_fit.h"
 
 namespace sbox {
 

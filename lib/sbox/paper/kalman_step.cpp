@@ -5,6 +5,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "sbox/core/rigid_fit.h"
+
 namespace sbox {
 namespace {
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The transformation matrix T of the paper, eq. 4, and how to get it from corresponding points.
+// The transformation matrix T of the paper, eq. 4; core/rigid_fit gets it from corresponding
+// points.
 #pragma once
 
 #include <cmath>
-#include <vector>
 
 #include "sbox/core/pose.h"
 
@@ -27,10 +27,5 @@ struct Transform {
   double cosine;  ///< Of its angle.
   double sine;    ///< Of its angle.
 };
-
-/// The rigid transform that takes `from[i]` closest to `to[i]`, by least squares: pose of the frame
-/// of `from` in that of `to`. Always a rotation, never a mirror image. Throws std::invalid_argument
-/// on lists that are empty or of unequal length.
-[[nodiscard]] Pose2D fitRigid(const std::vector<Point2D>& from, const std::vector<Point2D>& to);
 
 }  // namespace sbox
