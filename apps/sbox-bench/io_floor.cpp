@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <limits>
@@ -14,6 +13,7 @@
 #include "sbox-bench/statistics.h"
 #include "sbox/io/load_map.h"
 #include "sbox/io/save_map.h"
+#include "sbox/stopwatch.h"
 
 namespace sbox::bench {
 namespace {
@@ -43,10 +43,9 @@ class TemporaryFolder {
 double leastSeconds(int repeat, const std::function<void()>& work) {
   double least = std::numeric_limits<double>::infinity();
   for (int i = 0; i < std::max(1, repeat); ++i) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     work();
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    least = std::min(least, elapsed.count());
+    least = std::min(least, stopwatch.seconds());
   }
   return least;
 }

@@ -3,7 +3,6 @@
 #include "sbox-bench/run_method.h"
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <utility>
 
@@ -12,15 +11,10 @@
 #include "sbox-bench/statistics.h"
 #include "sbox/core/parallel.h"
 #include "sbox/io/load_map.h"
+#include "sbox/stopwatch.h"
 
 namespace sbox::bench {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 struct MapWork {
   Features features;
@@ -30,9 +24,9 @@ struct MapWork {
 MapWork extract(const Method& method, const Map& map, int repeat) {
   MapWork work;
   for (int i = 0; i < repeat; ++i) {
-    const Clock::time_point start = Clock::now();
+    const Stopwatch stopwatch;
     work.features = method.features(map);
-    work.seconds.push_back(secondsSince(start));
+    work.seconds.push_back(stopwatch.seconds());
   }
   return work;
 }
@@ -68,9 +62,9 @@ Answer answerPair(const Method& method, const AnnotatedPair& pair, double resolu
   Answer answer;
   std::vector<StageSeconds> runs;
   for (int i = 0; i < repeat; ++i) {
-    const Clock::time_point start = Clock::now();
+    const Stopwatch stopwatch;
     answer.result = method.match(a.features, b.features);
-    const double whole = secondsSince(start);
+    const double whole = stopwatch.seconds();
     const PairSeconds& stages = answer.result.seconds;
     runs.push_back({0, stages.matching, stages.verification, stages.refinement, whole});
   }

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox-bench/methods/correlation.h"
 
-#include <chrono>
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "sbox-bench/methods/hough_spectrum.h"
 #include "sbox/core/state_grid.h"
+#include "sbox/stopwatch.h"
 
 namespace sbox::bench {
 namespace {
@@ -88,7 +88,7 @@ Peak bestShift(const cv::Mat& spectrum_a, const cv::Mat& b, const cv::Size& size
 
 PairResult match(const CorrelationFeatures& a, const CorrelationFeatures& b,
                  const CorrelationOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   PairResult result;
   if (a.signed_image.empty() || b.signed_image.empty()) {
     result.reason = "a map has no known cell";
@@ -116,8 +116,7 @@ PairResult match(const CorrelationFeatures& a, const CorrelationFeatures& b,
   result.verdict = Verdict::Accepted;
   result.reason = "the highest correlation; this method never refuses";
   result.confidence = best.value > 0 ? 1 - runner_up / (2 * best.value) : 0;
-  result.seconds.matching =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.seconds.matching = stopwatch.seconds();
   return result;
 }
 

@@ -3,11 +3,11 @@
 #include "sbox-bench/methods/hough_matching.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "sbox-bench/methods/hough_spectrum.h"
 #include "sbox/core/state_grid.h"
+#include "sbox/stopwatch.h"
 
 namespace sbox::bench {
 namespace {
@@ -154,19 +154,15 @@ std::vector<Pose2D> hypotheses(const HoughFeatures& a, const HoughFeatures& b,
 }
 
 PairResult match(const HoughFeatures& a, const HoughFeatures& b, const HoughOptions& options) {
-  using Clock = std::chrono::steady_clock;
-  const auto since = [](Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-  };
   PairResult result;
   if (a.walls.empty() || b.walls.empty()) {
     result.reason = "a map has no wall";
     return result;
   }
-  Clock::time_point start = Clock::now();
+  Stopwatch stopwatch;
   const std::vector<Pose2D> poses = hypotheses(a, b, options);
-  result.seconds.matching = since(start);
-  start = Clock::now();
+  result.seconds.matching = stopwatch.seconds();
+  stopwatch = Stopwatch();
   const double least = options.least_share * std::min(a.known_cells, b.known_cells);
   for (const Pose2D& pose : poses) {
     const Agreement cells = agreement(a.grid, b.grid, pose);
@@ -177,7 +173,7 @@ PairResult match(const HoughFeatures& a, const HoughFeatures& b, const HoughOpti
       result.overlap_m2 = (cells.agree + cells.disagree) * options.resolution * options.resolution;
     }
   }
-  result.seconds.verification = since(start);
+  result.seconds.verification = stopwatch.seconds();
   const bool accepted = result.has_pose && result.confidence >= options.accept_index;
   result.verdict = accepted ? Verdict::Accepted : Verdict::Rejected;
   result.reason = accepted          ? "the acceptance index is high"

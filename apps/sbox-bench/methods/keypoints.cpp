@@ -3,11 +3,11 @@
 #include "sbox-bench/methods/keypoints.h"
 
 #include <algorithm>
-#include <chrono>
 #include <opencv2/features2d.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "sbox/core/state_grid.h"
+#include "sbox/stopwatch.h"
 
 namespace sbox::bench {
 namespace {
@@ -59,7 +59,7 @@ KeypointFeatures extract(const Map& map, const KeypointOptions& options) {
 
 PairResult match(const KeypointFeatures& a, const KeypointFeatures& b,
                  const KeypointOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   PairResult result;
   if (a.points.empty() || b.points.empty()) {
     result.reason = "a map has no keypoint";
@@ -85,8 +85,7 @@ PairResult match(const KeypointFeatures& a, const KeypointFeatures& b,
   result.verdict = accepted ? Verdict::Accepted : Verdict::Rejected;
   result.reason = std::to_string(ransac.inliers.size()) + " of " + std::to_string(matches.size()) +
                   " keypoint matches agree";
-  result.seconds.matching =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.seconds.matching = stopwatch.seconds();
   return result;
 }
 

@@ -3,7 +3,6 @@
 #include "sbox-bench/methods/map_merge.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <opencv2/core.hpp>
 #include <opencv2/features2d.hpp>
@@ -12,6 +11,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "sbox/stopwatch.h"
 
 namespace sbox::bench {
 namespace {
@@ -86,7 +87,7 @@ Pose2D rigidPose(const cv::Matx33d& cells_b_to_a, const ImageOfMap& a, const Ima
 }
 
 PairResult match(const ImageOfMap& a, const ImageOfMap& b, const MapMergeOptions& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   PairResult result;
   if (a.features.keypoints.empty() || b.features.keypoints.empty()) {
     result.reason = "a map has no keypoint";
@@ -108,8 +109,7 @@ PairResult match(const ImageOfMap& a, const ImageOfMap& b, const MapMergeOptions
   result.confidence = std::min(1.0, confidence);
   result.reason = std::to_string(matches[1].num_inliers) + " of " +
                   std::to_string(matches[1].matches.size()) + " keypoint matches agree";
-  result.seconds.matching =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.seconds.matching = stopwatch.seconds();
   return result;
 }
 

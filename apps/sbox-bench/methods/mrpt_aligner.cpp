@@ -10,10 +10,11 @@
 #include <mrpt/slam/CGridMapAligner.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <string>
+
+#include "sbox/stopwatch.h"
 
 namespace sbox::bench {
 namespace {
@@ -46,7 +47,7 @@ mrpt::maps::CMultiMetricMap multiMap(const GridAndPoints& map) {
 }
 
 PairResult match(const GridAndPoints& a, const GridAndPoints& b) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   PairResult result;
   if (a.walls.empty() || b.walls.empty()) {
     result.reason = "a map has no wall";
@@ -79,8 +80,7 @@ PairResult match(const GridAndPoints& a, const GridAndPoints& b) {
   }
   result.reason = std::to_string(modes ? modes->size() : 0) + " modes are left of " +
                   std::to_string(info.icp_goodness_all_sog_modes.size());
-  result.seconds.matching =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.seconds.matching = stopwatch.seconds();
   return result;
 }
 

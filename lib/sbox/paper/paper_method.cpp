@@ -4,13 +4,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 #include <sstream>
 #include <utility>
 
 #include "sbox/paper/kalman_step.h"
+#include "sbox/stopwatch.h"
 
 namespace sbox {
 namespace {
@@ -18,12 +18,6 @@ namespace {
 // Share of right transforms among the answers accepted and refused on the 91 Halmstad E5 pairs.
 constexpr double kRightWhenAccepted = 0.3;
 constexpr double kRightWhenRejected = 0.1;
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// The features in the map frame.
 FeatureSet describe(const Pose2D& corner_in_map, const std::vector<HoughLine>& lines,
@@ -94,22 +88,22 @@ std::string countOf(const std::optional<BestPair>& best, const PaperFeatures& a,
 PairResult matchEqualCells(const PaperFeatures& a, const PaperFeatures& b,
                            const PaperOptions& options) {
   PairResult result;
-  Clock::time_point start = Clock::now();
+  Stopwatch stopwatch;
   // Section 3.2: rough match, transforms (eq. 4), filter, score (eq. 5).
   const std::optional<BestPair> best = findBestPair(a.boxes, b.boxes, options.best_pair);
-  result.seconds.matching = secondsSince(start);
+  result.seconds.matching = stopwatch.seconds();
   result.reason = countOf(best, a, b, options.best_pair);
   if (!best) {
     return result;
   }
   // Section 3.3: Kalman step, eqs. 6 to 14.
-  start = Clock::now();
+  stopwatch = Stopwatch();
   const KalmanResult kalman =
       refineByKalman(a.states, b.states,
                      matchedBoxes(a.boxes[static_cast<size_t>(best->match.a)],
                                   b.boxes[static_cast<size_t>(best->match.b)], best->shift),
                      best->pose_a_in_b);
-  result.seconds.refinement = secondsSince(start);
+  result.seconds.refinement = stopwatch.seconds();
 
   result.verdict = best->enough ? Verdict::Accepted : Verdict::Rejected;
   result.confidence = best->enough ? kRightWhenAccepted : kRightWhenRejected;
