@@ -3,12 +3,36 @@
 #include <algorithm>
 #include <cctype>
 #include <set>
+#include <sstream>
+#include <stdexcept>
 
 #include "catch.h"
 #include "sbox/config/config_file.h"
 #include "sbox/config/describe_options.h"
 
 using namespace sbox;
+
+namespace {
+
+/// Gives the option another valid value; its meaning ends with the ends of its range, or names all
+/// words that it may be.
+bool change(const OptionRow& row) {
+  const std::string before = row.read();
+  std::istringstream meaning(row.meaning);
+  for (std::string word; meaning >> word;) {
+    try {
+      row.write(word);
+    } catch (const std::invalid_argument&) {
+      continue;
+    }
+    if (row.read() != before) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
 
 TEST_CASE("every option has its own lower-case name and a meaning") {
   MergeOptions options;
@@ -28,4 +52,19 @@ TEST_CASE("the defaults of all stages are within their ranges") {
   const std::string dump = dumpConfig(options);
   CHECK_NOTHROW(describeOptions(options).apply(parseIni(dump)));
   CHECK(dumpConfig(options) == dump);
+}
+
+TEST_CASE("each option has a variable of its own") {
+  MergeOptions defaults;
+  const OptionTable before = describeOptions(defaults);
+  for (size_t i = 0; i < before.rows().size(); ++i) {
+    INFO(before.rows()[i].section + "/" + before.rows()[i].key);
+    MergeOptions options;
+    const OptionTable table = describeOptions(options);
+    CHECK(change(table.rows()[i]));
+    for (size_t j = 0; j < table.rows().size(); ++j) {
+      const bool same = table.rows()[j].read() == before.rows()[j].read();
+      CHECK((same || i == j));
+    }
+  }
 }

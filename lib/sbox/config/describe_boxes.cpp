@@ -24,6 +24,8 @@ void describeWalls(FeatureOptions& features, OptionTable& table) {
                "Either side of a wall, where the map's own cells are asked for its edge");
   table.metres("sharpen_along", features.sharpen.along, {0, 5},
                "Either side of a wall point, over which its edge is averaged");
+  table.metres("sharpen_outlier", features.sharpen.outlier, {0, 1},
+               "Places whose edge is this far from the median's are left out");
   table.metres("free_spacing", features.free_spacing, {0.1, 5}, "Between points of free space");
   describeStates("features.cells", features.states, table);
 
@@ -106,6 +108,8 @@ void describeMatching(PairOptions& options, OptionTable& table) {
   table.metres("separation", search.separation, {0.1, 20}, "Between two translations");
   table.count("per_heading", search.per_heading, {1, 1000}, "Translations kept of a heading");
   table.number("heading_step", search.headings.step, {1, 90}, "Between headings, degrees");
+  table.number("heading_smoothing", search.headings.smoothing, {0.1, 20},
+               "Of the histograms of facing directions, degrees");
   table.number("heading_share", search.headings.min_share, {0, 1},
                "Of the best heading's correlation that another must have");
   table.count("max_headings", search.headings.max_headings, {1, 360}, "Headings searched");
@@ -118,6 +122,16 @@ void describeEvidence(const std::string& section, EvidenceOptions& evidence, Opt
                "Depth in free space at which a wall begins to conflict");
   table.metres("conflict_full", evidence.conflict_full, {0, 5},
                "Depth from which it conflicts fully");
+}
+
+void describeAlignment(const std::string& prefix, AlignmentOptions& alignment,
+                       const std::string& whose, OptionTable& table) {
+  table.metres(prefix + "_kernel", alignment.kernel, {0.01, 10},
+               "Scale of the robust kernel of the " + whose);
+  table.count(prefix + "_iterations", alignment.iterations, {0, 1000},
+              "Steps of the " + whose + ", at most");
+  table.count(prefix + "_points", alignment.most_points, {1, 1000000},
+              "Wall points of each map in the " + whose);
 }
 
 void describeVerification(PairOptions& options, OptionTable& table) {
@@ -145,10 +159,10 @@ void describeVerification(PairOptions& options, OptionTable& table) {
   table.number("same_answer_drift", options.same.drift_share, {0, 100},
                "... as are fits nearer than this times the drift's roughness");
   table.number("same_turn", ranking.same_turn, {0, 90}, "Nearer answers are one, degrees");
-  table.metres("alignment_kernel", ranking.alignment.kernel, {0.01, 10},
-               "Scale of the robust kernel of the alignment");
+  describeAlignment("first_alignment", ranking.first_alignment, "first, coarse alignment", table);
+  describeAlignment("alignment", ranking.alignment, "alignment", table);
   table.metres("narrow_kernel", ranking.narrow_kernel, {0.01, 10},
-               "The same of a second alignment where the first leaves doubt");
+               "Scale of the robust kernel of one more alignment where these leave doubt");
   table.number("accept_from", options.verdict.accept_from, {0, 1},
                "Probability from which the best fit is accepted");
   table.number("rival_from", options.verdict.rival_from, {0, 1},
@@ -172,6 +186,11 @@ void describeVerification(PairOptions& options, OptionTable& table) {
                "Expected change between neighbouring nodes");
   table.metres("wall_noise", ranking.drift.wall_noise, {0.001, 10},
                "Expected offset of walls that agree");
+  table.metres("first_kernel", ranking.drift.first_kernel, {0.01, 10},
+               "Scale of the robust kernel in the first round ...");
+  table.metres("last_kernel", ranking.drift.last_kernel, {0.01, 10}, "... and in the last");
+  table.count("rounds", ranking.drift.rounds, {0, 100}, "Of reweighted least squares");
+  table.count("most_points", ranking.drift.most_points, {1, 1000000}, "Wall points of each map");
 }
 
 void describeRefinement(RefineOptions& refine, OptionTable& table) {
@@ -186,6 +205,12 @@ void describeRefinement(RefineOptions& refine, OptionTable& table) {
                "The odds of being right are then multiplied by this");
   table.metres("corner_noise", refine.kalman.corner_noise, {0.001, 10},
                "Least standard deviation of a corner in the Kalman step");
+  table.metres("prediction_shift", refine.kalman.prediction_shift, {0.001, 100},
+               "Standard deviation of the place that the Kalman step starts from");
+  table.number("prediction_turn", refine.kalman.prediction_turn, {0.001, 180},
+               "Standard deviation of the heading that it starts from, degrees");
+  table.number("gate", refine.kalman.gate, {0, 1000},
+               "Squared Mahalanobis distance beyond which it leaves a corner out");
   table.metres("wall_noise", refine.covariance.wall_noise, {0.001, 10},
                "Standard deviation of a wall's offset without drift, for the covariance");
   table.metres("correlation_length", refine.covariance.correlation_length, {0.01, 10000},
@@ -194,6 +219,19 @@ void describeRefinement(RefineOptions& refine, OptionTable& table) {
                "Shift by drift, for the covariance: times squared roughness, per wall that agrees");
   table.number("drift_turn", refine.covariance.drift_turn, {0, 10000},
                "Turn by drift, for the covariance: times roughness^1.5, per wall that agrees");
+
+  table.section("refinement.ceres");
+  table.metres("first_scale", refine.polish.first_scale, {0.001, 10},
+               "Of the robust loss in the first round ...");
+  table.metres("last_scale", refine.polish.last_scale, {0.001, 10}, "... and in the last");
+  table.count("rounds", refine.polish.rounds, {0, 100}, "Walls are paired anew in each");
+  table.count("iterations", refine.polish.iterations, {0, 1000}, "Of a round, at most");
+  table.count("most_points", refine.polish.most_points, {1, 1000000}, "Wall points of each map");
+  table.count("most_corners", refine.polish.most_corners, {0, 100000}, "Corners used");
+  table.number("corner_weight", refine.polish.corner_weight, {0, 100},
+               "Of all corners together, as a share of all walls");
+  table.metres("corner_noise", refine.polish.corner_noise, {0.001, 10},
+               "Standard deviation of a corner that counts fully");
 }
 
 }  // namespace

@@ -14,15 +14,34 @@ void describeAdjustment(AdjustmentOptions& options, OptionTable& table) {
   table.section("adjustment");
   table.count("rounds", options.rounds, {0, 100},
               "Key frames are matched so often, each time from where they were moved to");
+  table.metres("point_spacing", options.points.spacing, {0, 10},
+               "Between points of a scan that are kept");
+  table.metres("neighbours", options.points.neighbours, {0, 10},
+               "Points of a scan this near make a surface ...");
+  table.metres("thickness", options.points.thickness, {0, 1},
+               "... if they deviate no more from a line");
   table.metres("radius", options.overlap.radius, {0, 1000},
                "Key frames this near may have seen the same");
+  table.number("turn_cost", options.overlap.turn_cost, {0, 1000},
+               "A heading off by a radian counts as this many metres");
   table.count("partners", options.overlap.partners, {0, 1000},
-              "Near key frames that each is matched with, at most");
+              "Near key frames that each is matched with, at most ...");
+  table.count("passage", options.overlap.passage, {0, 100000},
+              "... of which those that follow each other this closely count once");
   table.number("least_overlap", options.match.least_overlap, {0, 1},
                "Share of what two key frames saw that must match");
-  table.metres("gate", options.match.gate, {0, 100}, "Farther points do not match");
+  table.metres("gate", options.match.gate, {0, 100},
+               "Farther points do not match in the first rounds ...");
+  table.metres("last_gate", options.match.last_gate, {0, 100}, "... nor in the last");
+  table.degrees("most_turn", options.match.most_turn, {0, 180},
+                "Surfaces that face more different ways do not match");
   table.metres("kernel", options.match.kernel, {0.001, 100},
                "Points that do not match this well count less");
+  table.count("iterations", options.match.iterations, {0, 1000}, "Of a match, all done");
+  table.metres("most_shift", options.match.most_shift, {0, 100},
+               "A match farther from where the key frames were is none");
+  table.degrees("most_rotation", options.match.most_rotation, {0, 180},
+                "A match turned more against where they were is none");
   table.metres("noise", options.match.noise, {0.001, 100}, "Standard deviation of a point");
   table.metres("step_metres", options.step_metres, {0.001, 100},
                "Standard deviation of SLAM from one key frame to the next ...");
@@ -89,6 +108,8 @@ OptionTable describeOptions(MergeOptions& options) {
                 "Two headings of a map this near are one");
   table.number("loss_scale", options.placement.graph.loss_scale, {0.01, 1000},
                "Of the graph's robust loss, in standard deviations of an edge");
+  table.count("iterations", options.placement.graph.iterations, {0, 10000},
+              "Of the graph's solver, at most");
 
   describeAdjustment(options.adjustment, table);
 

@@ -76,13 +76,24 @@ void OptionTable::number(const std::string& key, double& value, Range range,
   addNumber(key, value, range, 1, meaning);
 }
 
-void OptionTable::count(const std::string& key, int& value, Range range,
-                        const std::string& meaning) {
+template <typename Whole>
+void OptionTable::addCount(const std::string& key, Whole& value, Range range,
+                           const std::string& meaning) {
   rows_.push_back({section_, key, meaning + ", " + wholeRangeText(range),
                    [&value] { return std::to_string(value); },
                    [&value, range](const std::string& text) {
-                     value = static_cast<int>(parseInRange(text, range, true));
+                     value = static_cast<Whole>(parseInRange(text, range, true));
                    }});
+}
+
+void OptionTable::count(const std::string& key, int& value, Range range,
+                        const std::string& meaning) {
+  addCount(key, value, range, meaning);
+}
+
+void OptionTable::count(const std::string& key, size_t& value, Range range,
+                        const std::string& meaning) {
+  addCount(key, value, range, meaning);
 }
 
 void OptionTable::flag(const std::string& key, bool& value, const std::string& meaning) {

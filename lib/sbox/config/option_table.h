@@ -44,6 +44,8 @@ class OptionTable {
   void number(const std::string& key, double& value, Range range, const std::string& meaning);
   /// A whole number without a unit.
   void count(const std::string& key, int& value, Range range, const std::string& meaning);
+  /// As above; the range begins at 0 or above.
+  void count(const std::string& key, size_t& value, Range range, const std::string& meaning);
   /// Yes or no.
   void flag(const std::string& key, bool& value, const std::string& meaning);
 
@@ -82,6 +84,8 @@ class OptionTable {
  private:
   void addNumber(const std::string& key, double& value, Range range, double file_unit,
                  const std::string& meaning);
+  template <typename Whole>
+  void addCount(const std::string& key, Whole& value, Range range, const std::string& meaning);
   void addChoice(const std::string& key, const std::vector<std::string>& words,
                  const std::string& meaning, const std::function<size_t()>& read,
                  const std::function<void(size_t)>& write);
