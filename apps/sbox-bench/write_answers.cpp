@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "sbox/io/pair_json.h"
+
 namespace sbox::bench {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json poseJson(const Pose2D& pose) { return {{"x", pose.x}, {"y", pose.y}, {"phi", pose.phi}}; }
 
 Json secondsJson(const StageSeconds& seconds) {
   return {{"features", seconds.features},
@@ -20,14 +20,6 @@ Json secondsJson(const StageSeconds& seconds) {
           {"verification", seconds.verification},
           {"refinement", seconds.refinement},
           {"pair", seconds.pair}};
-}
-
-Json covarianceJson(const PoseCovariance& covariance) {
-  Json rows = Json::array();
-  for (int row = 0; row < 3; ++row) {
-    rows.push_back({covariance(row, 0), covariance(row, 1), covariance(row, 2)});
-  }
-  return rows;
 }
 
 Json answerJson(const AnnotatedPair& pair, const Answer& answer, bool with_seconds) {
@@ -47,10 +39,10 @@ Json answerJson(const AnnotatedPair& pair, const Answer& answer, bool with_secon
     entry["overlap_m2"] = result.overlap_m2;
     entry["matched_boxes"] = result.matched_boxes.size();
     if (result.kalman) {
-      entry["kalman"] = poseJson(*result.kalman);
+      entry["kalman"] = poseJson(result.kalman);
     }
     if (result.ceres) {
-      entry["ceres"] = poseJson(*result.ceres);
+      entry["ceres"] = poseJson(result.ceres);
     }
     Json alternatives = Json::array();
     for (const Candidate& candidate : result.alternatives) {

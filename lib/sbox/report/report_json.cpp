@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "sbox/io/pair_json.h"
 #include "sbox/report/json_layout.h"
 
 namespace sbox {
@@ -19,18 +20,6 @@ constexpr int report_version = 1;
 double withoutFloatNoise(double metres) { return std::round(metres * 1e7) / 1e7; }
 
 double microseconds(double seconds) { return std::round(seconds * 1e6) / 1e6; }
-
-Json poseJson(const Pose2D& pose) { return {{"x", pose.x}, {"y", pose.y}, {"phi", pose.phi}}; }
-
-Json poseJson(const std::optional<Pose2D>& pose) { return pose ? poseJson(*pose) : Json(nullptr); }
-
-Json covarianceJson(const PoseCovariance& covariance) {
-  Json rows = Json::array();
-  for (int row = 0; row < 3; ++row) {
-    rows.push_back({covariance(row, 0), covariance(row, 1), covariance(row, 2)});
-  }
-  return rows;
-}
 
 Json mapJson(const MapOutcome& map) {
   return {{"file", map.name},
@@ -57,26 +46,10 @@ Json settlementJson(const std::optional<PairSettlement>& settlement) {
           {"turn", settlement->turn}};
 }
 
-Json pairJson(const MapPair& pair) {
-  const PairResult& result = pair.result;
-  Json alternatives = Json::array();
-  for (const Candidate& candidate : result.alternatives) {
-    alternatives.push_back(
-        {{"pose", poseJson(candidate.pose_b_in_a)}, {"confidence", candidate.confidence}});
-  }
-  return {{"a", pair.a},
-          {"b", pair.b},
-          {"verdict", toString(result.verdict)},
-          {"reason", result.reason},
-          {"pose", result.has_pose ? poseJson(result.pose_b_in_a) : Json(nullptr)},
-          {"covariance", result.has_pose ? covarianceJson(result.covariance) : Json(nullptr)},
-          {"confidence", result.confidence},
-          {"matched_boxes", result.matched_boxes.size()},
-          {"overlap_m2", result.overlap_m2},
-          {"kalman", poseJson(result.kalman)},
-          {"ceres", poseJson(result.ceres)},
-          {"alternatives", alternatives},
-          {"settlement", settlementJson(pair.settlement)}};
+Json settledPairJson(const MapPair& pair) {
+  Json json = pairJson(pair);
+  json["settlement"] = settlementJson(pair.settlement);
+  return json;
 }
 
 Json mergedJson(const MergedGroup& merged, const std::string& file) {
@@ -109,7 +82,7 @@ std::string reportJson(const MergeResult& result, const std::vector<std::string>
     report["maps"].push_back(mapJson(map));
   }
   for (const MapPair& pair : result.pairs) {
-    report["pairs"].push_back(pairJson(pair));
+    report["pairs"].push_back(settledPairJson(pair));
   }
   const size_t written = std::min(result.merged.size(), merged_files.size());
   if (written > 0) {
