@@ -11,7 +11,7 @@ namespace sbox::dataset {
 using mrpt::obs::CObservation2DRangeScan;
 using mrpt::obs::CRawlog;
 
-ScanLog::ScanLog(const std::string& path) {
+LoggedScans::LoggedScans(const std::string& path) {
   if (!log_.loadFromRawLogFile(path)) {
     throw std::runtime_error(path + ": cannot be read as a rawlog");
   }
@@ -27,12 +27,12 @@ ScanLog::ScanLog(const std::string& path) {
   }
 }
 
-const CObservation2DRangeScan& ScanLog::scan(size_t index) const {
+const CObservation2DRangeScan& LoggedScans::scan(size_t index) const {
   return *log_.getAsObservations(entries_.at(index))
               ->getObservationByClass<CObservation2DRangeScan>();
 }
 
-void ScanLog::save(size_t first, size_t count, const std::string& path) const {
+void LoggedScans::save(size_t first, size_t count, const std::string& path) const {
   if (first > size() || count > size() - first) {
     throw std::runtime_error("the log has only " + std::to_string(size()) + " scans");
   }
@@ -65,7 +65,7 @@ std::vector<Pose2D> loadPoses(const std::string& path) {
   return poses;
 }
 
-Run cutRun(const ScanLog& log, const std::vector<Pose2D>& poses_in_world, size_t first,
+Run cutRun(const LoggedScans& log, const std::vector<Pose2D>& poses_in_world, size_t first,
            const std::vector<Pose2D>& poses_in_map) {
   if (poses_in_world.size() != log.size() || first > log.size() ||
       poses_in_map.size() > log.size() - first) {

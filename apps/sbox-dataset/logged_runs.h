@@ -16,10 +16,10 @@ namespace sbox::dataset {
 
 /// A log as pairs of what the robot did and the scan it then took: those that MRPT's SLAM apps
 /// read.
-class ScanLog {
+class LoggedScans {
  public:
   /// Throws std::runtime_error if the file cannot be read as a rawlog or a frame holds no 2D scan.
-  explicit ScanLog(const std::string& path);
+  explicit LoggedScans(const std::string& path);
 
   [[nodiscard]] size_t size() const { return entries_.size(); }
   [[nodiscard]] const mrpt::obs::CObservation2DRangeScan& scan(size_t index) const;
@@ -38,7 +38,7 @@ class ScanLog {
 
 /// The run over scans first, first + 1, ... for which `poses_in_map` has poses. Throws
 /// std::invalid_argument if there are fewer scans or fewer `poses_in_world`, a pose a scan.
-[[nodiscard]] Run cutRun(const ScanLog& log, const std::vector<Pose2D>& poses_in_world,
+[[nodiscard]] Run cutRun(const LoggedScans& log, const std::vector<Pose2D>& poses_in_world,
                          size_t first, const std::vector<Pose2D>& poses_in_map);
 
 }  // namespace sbox::dataset

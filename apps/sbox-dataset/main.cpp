@@ -84,7 +84,7 @@ void saveRawlogs(const std::string& folder, const std::vector<NamedRun>& runs) {
 }
 
 std::vector<NamedRun> runsOfLog(const LogArguments& arguments, const std::string& place) {
-  const ScanLog log(arguments.rawlog);
+  const LoggedScans log(arguments.rawlog);
   const std::vector<Pose2D> poses_in_world = loadPoses(arguments.poses);
   std::vector<NamedRun> runs;
   for (const auto& [name, first, path] : arguments.parts) {
@@ -158,7 +158,7 @@ int main(int argc, char** argv) {
 
   try {
     if (*cut_command) {
-      ScanLog(cut.rawlog).save(cut.first, cut.count, cut.out);
+      LoggedScans(cut.rawlog).save(cut.first, cut.count, cut.out);
     } else if (*office_command) {
       saveWorld(randomOffice(office.seed), office.out);
     } else if (*fleet_command) {

@@ -22,7 +22,7 @@ TEST_CASE("a rawlog holds a run's scans and its odometry, and the truth lies bes
   saveRawlog(run, scratch.path("r.rawlog"));
   saveTruePoses(run, scratch.path("r.gt"));
 
-  const ScanLog log(scratch.path("r.rawlog"));
+  const LoggedScans log(scratch.path("r.rawlog"));
   REQUIRE(log.size() == run.size());
   CHECK(log.scan(3).getScanRange(7) == run[3].scan.getScanRange(7));
   CHECK(log.scan(1).timestamp > log.scan(0).timestamp);

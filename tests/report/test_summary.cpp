@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "catch.h"
-#include "sbox/report/number_text.h"
+#include "sbox/report/fixed_digits.h"
 #include "sbox/report/summary.h"
 
 using namespace sbox;

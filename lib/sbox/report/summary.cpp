@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sbox/report/number_text.h"
+#include "sbox/report/fixed_digits.h"
 
 namespace sbox {
 namespace {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "sbox/report/drawing/text.h"
-#include "sbox/report/number_text.h"
+#include "sbox/report/fixed_digits.h"
 
 namespace sbox {
 namespace {

@@ -3,10 +3,10 @@
 #include "sbox/report/html/map_sections.h"
 
 #include "sbox/report/drawing/palette.h"
+#include "sbox/report/fixed_digits.h"
 #include "sbox/report/html/html_text.h"
 #include "sbox/report/html/pose_table.h"
 #include "sbox/report/html/stage.h"
-#include "sbox/report/number_text.h"
 
 namespace sbox::html {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "sbox/report/fixed_digits.h"
 #include "sbox/report/html/html_text.h"
 #include "sbox/report/html/pose_table.h"
 #include "sbox/report/html/stage.h"
-#include "sbox/report/number_text.h"
 #include "sbox/report/overlay_layers.h"
 #include "sbox/report/summary.h"
 

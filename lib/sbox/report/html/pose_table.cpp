@@ -6,7 +6,7 @@
 #include <iomanip>
 #include <sstream>
 
-#include "sbox/report/number_text.h"
+#include "sbox/report/fixed_digits.h"
 
 namespace sbox::html {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "sbox/report/fixed_digits.h"
 #include "sbox/report/html/html_text.h"
-#include "sbox/report/number_text.h"
 
 namespace sbox::html {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sbox/report/number_text.h"
+#include "sbox/report/fixed_digits.h"
 
 #include <cmath>
 #include <iomanip>
