@@ -13,6 +13,8 @@
 #include <cmath>
 #include <memory>
 
+#include "sbox/refinement/robust_kernel.h"
+
 namespace sbox {
 namespace {
 
@@ -66,16 +68,16 @@ struct LineCost {
 /// Geman and McClure's loss: r^2 for small residuals, never more than scale^2.
 class GemanMcClure final : public ceres::LossFunction {
  public:
-  explicit GemanMcClure(double scale) : squared_scale_(scale * scale) {}
+  explicit GemanMcClure(double scale) : scale_(scale) {}
   void Evaluate(double squared, double out[3]) const override {
-    const double share = squared_scale_ / (squared_scale_ + squared);
+    const double share = gemanMcClureShare(squared, scale_);
     out[0] = squared * share;
     out[1] = share * share;
-    out[2] = -2 * share * share * share / squared_scale_;
+    out[2] = -2 * share * share * share / (scale_ * scale_);
   }
 
  private:
-  double squared_scale_;
+  double scale_;
 };
 
 /// One round: its residuals, and the pose in Ceres's hands.
@@ -202,9 +204,7 @@ std::optional<RigidTransform> polishByCeres(const MapFeatures& a, const MapFeatu
                                             const PolishOptions& options) {
   RigidTransform b_in_a = start;
   for (int i = 0; i < options.rounds; ++i) {
-    const double share = options.rounds > 1 ? i / static_cast<double>(options.rounds - 1) : 1;
-    const double scale =
-        options.first_scale * std::pow(options.last_scale / options.first_scale, share);
+    const double scale = scaleOfRound(i, options.rounds, options.first_scale, options.last_scale);
     Round round(b_in_a, pivot_b, scale);
     // Beyond three scales the loss is flat; nearer than a cell of the fields nothing is told apart.
     const double reach = 3 * scale + a.fields.resolution;

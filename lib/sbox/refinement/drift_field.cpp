@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "sbox/features/field_lookup.h"
+#include "sbox/refinement/robust_kernel.h"
 
 namespace sbox {
 namespace {
@@ -134,8 +135,8 @@ class DriftEquations {
 };
 
 double robustWeight(double squared_distance, double kernel) {
-  const double scale = kernel * kernel / (kernel * kernel + squared_distance);
-  return scale * scale;
+  const double share = gemanMcClureShare(squared_distance, kernel);
+  return share * share;
 }
 
 }  // namespace
@@ -185,9 +186,8 @@ DriftField estimateDrift(const MapFeatures& a, const MapFeatures& b, const Rigid
     stencils_a[i] = stencilAt(field, a.wall_points[i].position);
   }
   for (int round = 0; round < options.rounds; ++round) {
-    const double share = options.rounds > 1 ? round / static_cast<double>(options.rounds - 1) : 1;
     const double kernel =
-        options.first_kernel * std::pow(options.last_kernel / options.first_kernel, share);
+        scaleOfRound(round, options.rounds, options.first_kernel, options.last_kernel);
     DriftEquations equations(field, options);
     forEachNearest(
         a.fields, count_b,

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sbox/features/field_lookup.h"
+#include "sbox/refinement/robust_kernel.h"
 
 namespace sbox {
 namespace {
@@ -19,12 +20,12 @@ struct Normals {
   /// `point` should move to the line through `target` with this normal; `arm` is its place about
   /// the pivot.
   void add(const Eigen::Vector2d& offset, const Eigen::Vector2d& normal, const Eigen::Vector2d& arm,
-           double squared_kernel, double length) {
+           double kernel, double length) {
     const double residual = normal.dot(offset);
-    const double scale = squared_kernel / (squared_kernel + offset.squaredNorm());
+    const double share = gemanMcClureShare(offset.squaredNorm(), kernel);
     const Eigen::Vector3d jacobian(normal.x(), normal.y(),
                                    normal.y() * arm.x() - normal.x() * arm.y());
-    const double weight = length * scale * scale;
+    const double weight = length * share * share;
     matrix += weight * jacobian * jacobian.transpose();
     vector += weight * residual * jacobian;
   }
@@ -38,7 +39,6 @@ double lengthOfPoint(const MapFeatures& map, size_t count) {
 /// The walls of each map against those of the other; each wall counts half from either side.
 Normals gatherNormals(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
                       const Eigen::Vector2d& pivot, const AlignmentOptions& options) {
-  const double squared_kernel = options.kernel * options.kernel;
   const PointMover to_a(b_in_a), to_b(b_in_a.inverse());
   const ByteAngle byte_turn = toByteAngle(b_in_a.heading);
   Normals normals;
@@ -49,7 +49,7 @@ Normals gatherNormals(const MapFeatures& a, const MapFeatures& b, const RigidTra
       [&](size_t i) { return static_cast<ByteAngle>(b.wall_directions[i] + byte_turn); },
       [&](size_t, const Eigen::Vector2d& p, size_t nearest) {
         const WallPoint& target = a.wall_points[nearest];
-        normals.add(target.position - p, target.normal, p - pivot, squared_kernel, length_b);
+        normals.add(target.position - p, target.normal, p - pivot, options.kernel, length_b);
       });
   const size_t count_a = std::min(options.most_points, a.wall_points.size());
   const double length_a = lengthOfPoint(a, count_a) / 2;
@@ -61,7 +61,7 @@ Normals gatherNormals(const MapFeatures& a, const MapFeatures& b, const RigidTra
         const WallPoint& source = b.wall_points[nearest];
         const Eigen::Vector2d moved = to_a(source.position);
         normals.add(a.wall_points[i].position - moved, to_a.turn(source.normal), moved - pivot,
-                    squared_kernel, length_a);
+                    options.kernel, length_a);
       });
   return normals;
 }
