@@ -201,3 +201,12 @@ TEST_CASE("a map without walls has no features", "[features]") {
   speck.grid.setCell(0, 0, 1.0F);
   CHECK(extractFeatures(speck).empty());
 }
+
+TEST_CASE("the first wall points share all wall between them", "[features]") {
+  MapFeatures features;
+  features.wall_points.resize(60);
+  features.point_spacing = 0.2;
+  CHECK(features.wallLengthPerPoint(60) == Approx(0.2));
+  CHECK(features.wallLengthPerPoint(15) == Approx(0.8));
+  CHECK(MapFeatures().wallLengthPerPoint(0) == 0);
+}

@@ -4,6 +4,7 @@
 // All that is known of one map before it meets another (section 3.1).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -69,6 +70,10 @@ struct MapFeatures {
   /// Of all wall, metres.
   [[nodiscard]] double wallLength() const {
     return point_spacing * static_cast<double>(wall_points.size());
+  }
+  /// Of all wall for each of the first `count` wall points, which then stand for all, metres.
+  [[nodiscard]] double wallLengthPerPoint(size_t count) const {
+    return wallLength() / static_cast<double>(std::max<size_t>(count, 1));
   }
   /// Of all free space, square metres.
   [[nodiscard]] double freeArea() const {

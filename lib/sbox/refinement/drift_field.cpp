@@ -172,10 +172,8 @@ DriftField estimateDrift(const MapFeatures& a, const MapFeatures& b, const Rigid
   const ByteAngle byte_turn = toByteAngle(b_in_a.heading);
   const size_t count_a = std::min(options.most_points, a.wall_points.size());
   const size_t count_b = std::min(options.most_points, b.wall_points.size());
-  const auto length = [](const MapFeatures& map, size_t count) {
-    return map.wallLength() / static_cast<double>(std::max<size_t>(count, 1));
-  };
-  const double length_a = length(a, count_a), length_b = length(b, count_b);
+  const double length_a = a.wallLengthPerPoint(count_a);
+  const double length_b = b.wallLengthPerPoint(count_b);
   std::vector<Eigen::Vector2d> rigid_b(count_b);
   std::vector<Stencil> stencils_b(count_b), stencils_a(count_a);
   for (size_t i = 0; i < count_b; ++i) {

@@ -31,11 +31,6 @@ struct Normals {
   }
 };
 
-/// Length of wall that each of the first `count` points stands for, metres.
-double lengthOfPoint(const MapFeatures& map, size_t count) {
-  return map.wallLength() / static_cast<double>(std::max<size_t>(count, 1));
-}
-
 /// The walls of each map against those of the other; each wall counts half from either side.
 Normals gatherNormals(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
                       const Eigen::Vector2d& pivot, const AlignmentOptions& options) {
@@ -43,7 +38,7 @@ Normals gatherNormals(const MapFeatures& a, const MapFeatures& b, const RigidTra
   const ByteAngle byte_turn = toByteAngle(b_in_a.heading);
   Normals normals;
   const size_t count_b = std::min(options.most_points, b.wall_points.size());
-  const double length_b = lengthOfPoint(b, count_b) / 2;
+  const double length_b = b.wallLengthPerPoint(count_b) / 2;
   forEachNearest(
       a.fields, count_b, [&](size_t i) { return to_a(b.wall_points[i].position); },
       [&](size_t i) { return static_cast<ByteAngle>(b.wall_directions[i] + byte_turn); },
@@ -52,7 +47,7 @@ Normals gatherNormals(const MapFeatures& a, const MapFeatures& b, const RigidTra
         normals.add(target.position - p, target.normal, p - pivot, options.kernel, length_b);
       });
   const size_t count_a = std::min(options.most_points, a.wall_points.size());
-  const double length_a = lengthOfPoint(a, count_a) / 2;
+  const double length_a = a.wallLengthPerPoint(count_a) / 2;
   forEachNearest(
       b.fields, count_a, [&](size_t i) { return to_b(a.wall_points[i].position); },
       [&](size_t i) { return static_cast<ByteAngle>(a.wall_directions[i] - byte_turn); },

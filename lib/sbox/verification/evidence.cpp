@@ -38,7 +38,7 @@ OneWay lookUp(const MapFeatures& from, const MapFeatures& to, double heading, co
         // Where the other map is free, it knows of the wall in full.
         part.known += std::max(agree, static_cast<double>(depth > 0));
       });
-  const double per_point = walls > 0 ? from.wallLength() / static_cast<double>(walls) : 0;
+  const double per_point = from.wallLengthPerPoint(walls);
   sum.facing *= per_point;
   for (WallSums* part : {&sum.straight, &sum.clutter}) {
     part->known *= per_point;
