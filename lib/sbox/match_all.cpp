@@ -39,8 +39,9 @@ std::vector<PairLikeness> compareAll(const MergeOptions& options, MatchStore& st
   parallelFor(count, options.threads, [&](int i) {
     progress.partBegins();
     PairLikeness& pair = *missing[static_cast<size_t>(i)];
-    pair.likeness = pairLikeness(*boxFeatures(store, pair.maps.first),
-                                 *boxFeatures(store, pair.maps.second), options.retrieval.likeness);
+    pair.likeness =
+        pairLikeness(*boxFeatures(store, pair.maps.first), *boxFeatures(store, pair.maps.second),
+                     options.retrieval.likeness, options.pair.votes, options.pair.ranking.evidence);
     progress.partDone();
   });
   for (const PairLikeness* pair : missing) {

@@ -164,9 +164,11 @@ std::vector<Fit> findFits(const MapFeatures& a, const MapFeatures& b, const Pair
   }
   // What no corner or box proposes.
   stopwatch = Stopwatch();
-  std::vector<Hypothesis> searched = searchByCorrelation(a, b, options.correlation);
+  std::vector<Hypothesis> searched =
+      searchByCorrelation(a, b, options.correlation, options.ranking.evidence);
   // The headings and cells that are tried depend on which map is turned.
-  for (const Hypothesis& hypothesis : searchByCorrelation(b, a, options.correlation)) {
+  for (const Hypothesis& hypothesis :
+       searchByCorrelation(b, a, options.correlation, options.ranking.evidence)) {
     searched.push_back({hypothesis.b_in_a.inverse(), hypothesis.votes});
   }
   seconds.matching += stopwatch.seconds();

@@ -56,14 +56,14 @@ std::pair<int, int> cellOf(const Vector2d& p) {
 struct CellSums {
   std::map<std::pair<int, int>, double> wall, free, conflict;
 
-  explicit CellSums(const MapFeatures& map) {
+  CellSums(const MapFeatures& map, const EvidenceOptions& evidence) {
     for (const WallPoint& point : map.wall_points) {
       wall[cellOf(point.position)] += map.point_spacing;
     }
     for (const Vector2d& p : map.free_points) {
       free[cellOf(p)] += 1;
       const auto k = static_cast<size_t>(map.fields.cellAt(p.x(), p.y()));
-      conflict[cellOf(p)] += conflictWeight(map.fields.free_depth[k] * WallFields::unit);
+      conflict[cellOf(p)] += conflictWeight(map.fields.free_depth[k] * WallFields::unit, evidence);
     }
   }
 };
@@ -93,9 +93,10 @@ Vector2d agreementAt(const MapFeatures& a, const std::pair<int, int>& cell, doub
 
 /// The score of every shift, each summed by itself; unturned maps.
 std::map<std::pair<int, int>, double> scoresOfAllShifts(const MapFeatures& a, const MapFeatures& b,
-                                                        const CorrelationSearchOptions& options) {
+                                                        const CorrelationSearchOptions& options,
+                                                        const EvidenceOptions& weights) {
   const double blur = std::max(options.wall_blur, 0.8 * kCell);
-  const CellSums sums_a(a), sums_b(b);
+  const CellSums sums_a(a, weights), sums_b(b, weights);
   std::map<std::pair<int, int>, double> scores;
   const int reach = 30;
   for (int x = -reach; x <= reach; ++x) {
@@ -127,10 +128,12 @@ TEST_CASE("the transform of Fourier finds what trying every shift finds", "[matc
   options.headings.min_share = 0;
   options.min_agree = 0.02;  // Walls anywhere agree on little.
   for (unsigned seed = 1; seed <= 4; ++seed) {
+    const EvidenceOptions evidence =
+        seed % 2 == 0 ? EvidenceOptions{} : EvidenceOptions{0.5, 0.05, 0.2};
     const MapFeatures a = cellularMap(seed, 20, 14, 60), b = cellularMap(seed + 30, 12, 16, 40);
-    const auto scores = scoresOfAllShifts(a, b, options);
+    const auto scores = scoresOfAllShifts(a, b, options, evidence);
     std::vector<std::pair<double, std::pair<int, int>>> found;
-    for (const Hypothesis& hypothesis : searchByCorrelation(a, b, options)) {
+    for (const Hypothesis& hypothesis : searchByCorrelation(a, b, options, evidence)) {
       if (std::abs(hypothesis.b_in_a.heading) < 1e-9) {
         const Vector2d shift = hypothesis.b_in_a.translation / kCell;
         CHECK(shift.x() == Approx(std::round(shift.x())).margin(1e-6));

@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "catch.h"
 #include "drawing.h"
 #include "sbox/retrieval/pair_likeness.h"
+#include "sbox/verification/plausibility.h"
 #include "scattered_map.h"
 
 using namespace sbox;
@@ -27,6 +29,30 @@ TEST_CASE("maps of one floor are more alike than maps of different floors", "[pa
       if (other != seed) {
         INFO("floors " << seed << " and " << other);
         CHECK(alike > pairLikeness(a, floorSeenFrom(other, {1, 2, 0.4})));
+      }
+    }
+  }
+}
+
+TEST_CASE("likeness is the plausibility of the best transform that has votes", "[pair_likeness]") {
+  const MapFeatures one = floorSeenFrom(1, {}), other = floorSeenFrom(1, {3, -2, 1.1});
+  const bool swaps = comesFirst(other, one);
+  const MapFeatures &a = swaps ? other : one, &b = swaps ? one : other;
+  const LikenessOptions all{50, 2, 300, 1000, 300};
+  VoteOptions narrow_votes;
+  narrow_votes.bin = 0.2;
+  for (const VoteOptions& votes : {VoteOptions(), narrow_votes}) {
+    for (const EvidenceOptions& evidence : {EvidenceOptions(), EvidenceOptions{0.05, 0.1, 0.3}}) {
+      VoteOptions asked = votes;
+      asked.max_hypotheses = all.max_hypotheses;
+      asked.min_per_heading = all.min_per_heading;
+      double best = kImplausible;
+      for (const Hypothesis& hypothesis : voteForTransforms(a, b, asked)) {
+        best = std::max(best, plausibility(gatherEvidence(a, b, hypothesis.b_in_a, 300, evidence)));
+      }
+      CHECK(pairLikeness(one, other, all, votes, evidence) == best);
+      if (votes.bin != VoteOptions().bin || evidence.kernel != EvidenceOptions().kernel) {
+        CHECK(best != pairLikeness(one, other, all));
       }
     }
   }

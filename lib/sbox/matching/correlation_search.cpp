@@ -46,7 +46,8 @@ Canvas canvasFor(const MapFeatures& map, double heading, double resolution, int 
           resolution};
 }
 
-Pictures draw(const MapFeatures& map, double heading, const Canvas& canvas, const cv::Size& size) {
+Pictures draw(const MapFeatures& map, double heading, const Canvas& canvas, const cv::Size& size,
+              const EvidenceOptions& evidence) {
   Pictures pictures;
   for (cv::Mat* picture : {&pictures.facing_x, &pictures.facing_y, &pictures.wall,
                            &pictures.conflict, &pictures.free}) {
@@ -73,7 +74,8 @@ Pictures draw(const MapFeatures& map, double heading, const Canvas& canvas, cons
     const double depth =
         k < 0 ? 0 : map.fields.free_depth[static_cast<size_t>(k)] * WallFields::unit;
     pictures.free.at<float>(cell) += share;
-    pictures.conflict.at<float>(cell) += share * static_cast<float>(conflictWeight(depth));
+    pictures.conflict.at<float>(cell) +=
+        share * static_cast<float>(conflictWeight(depth, evidence));
   }
   return pictures;
 }
@@ -148,7 +150,8 @@ std::vector<std::pair<double, cv::Point>> bestShifts(const cv::Mat& scores, int 
 }  // namespace
 
 std::vector<Hypothesis> searchByCorrelation(const MapFeatures& a, const MapFeatures& b,
-                                            const CorrelationSearchOptions& options) {
+                                            const CorrelationSearchOptions& options,
+                                            const EvidenceOptions& evidence) {
   const double largest = std::max({a.width, a.height, std::hypot(b.width, b.height)});
   const double resolution = std::max(options.resolution, largest / options.most_cells);
   const double blur = std::max(options.wall_blur, 0.8 * resolution);
@@ -158,14 +161,14 @@ std::vector<Hypothesis> searchByCorrelation(const MapFeatures& a, const MapFeatu
   const int side_b = static_cast<int>(std::ceil(std::hypot(b.width, b.height) / resolution)) + 2;
   const cv::Size size(cv::getOptimalDFTSize(canvas_a.size.width + side_b),
                       cv::getOptimalDFTSize(canvas_a.size.height + side_b));
-  Pictures pictures_a = draw(a, 0, canvas_a, size);
+  Pictures pictures_a = draw(a, 0, canvas_a, size, evidence);
   blurToAgreement(pictures_a, blur, resolution);
   const Spectra spectra_a(pictures_a, size.height);
 
   std::vector<Hypothesis> hypotheses;
   for (const double heading : findHeadings(a, b, options.headings)) {
     const Canvas canvas_b = canvasFor(b, heading, resolution, 0);
-    const Spectra spectra_b(draw(b, heading, canvas_b, size), canvas_b.size.height);
+    const Spectra spectra_b(draw(b, heading, canvas_b, size, evidence), canvas_b.size.height);
     const cv::Mat agree =
         correlate(spectra_a.facing_x, spectra_b.facing_x, spectra_a.facing_y, spectra_b.facing_y);
     const cv::Mat known = correlate(spectra_a.free, spectra_b.wall, spectra_a.wall, spectra_b.free);
@@ -173,7 +176,7 @@ std::vector<Hypothesis> searchByCorrelation(const MapFeatures& a, const MapFeatu
         correlate(spectra_a.conflict, spectra_b.wall, spectra_a.wall, spectra_b.conflict);
     const cv::Mat free_free = correlate(spectra_a.free, spectra_b.free);
     cv::Mat scores(size, CV_32F);
-    Evidence evidence;
+    Evidence found;
     for (int y = 0; y < size.height; ++y) {
       const auto* agree_row = agree.ptr<float>(y);
       const auto* known_row = known.ptr<float>(y);
@@ -181,15 +184,15 @@ std::vector<Hypothesis> searchByCorrelation(const MapFeatures& a, const MapFeatu
       const auto* free_row = free_free.ptr<float>(y);
       auto* score_row = scores.ptr<float>(y);
       for (int x = 0; x < size.width; ++x) {
-        evidence.agree = 2 * std::max(0.F, agree_row[x]);
-        evidence.known = std::max(0.F, known_row[x]) + evidence.agree;
-        if (evidence.agree < options.min_agree * evidence.known) {
+        found.agree = 2 * std::max(0.F, agree_row[x]);
+        found.known = std::max(0.F, known_row[x]) + found.agree;
+        if (found.agree < options.min_agree * found.known) {
           score_row[x] = static_cast<float>(kImplausible);
           continue;
         }
-        evidence.conflict = std::max(0.F, conflict_row[x]);
-        evidence.free_free = std::max(0.F, free_row[x]) * resolution * resolution;
-        score_row[x] = static_cast<float>(plausibility(evidence));
+        found.conflict = std::max(0.F, conflict_row[x]);
+        found.free_free = std::max(0.F, free_row[x]) * resolution * resolution;
+        score_row[x] = static_cast<float>(plausibility(found));
       }
     }
     const int radius = std::max(1, static_cast<int>(options.separation / resolution));

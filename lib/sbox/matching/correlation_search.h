@@ -10,6 +10,7 @@
 #include "sbox/features/map_features.h"
 #include "sbox/matching/heading_candidates.h"
 #include "sbox/matching/hypothesis.h"
+#include "sbox/verification/evidence.h"
 
 namespace sbox {
 
@@ -25,7 +26,9 @@ struct CorrelationSearchOptions {
 };
 
 /// The most plausible translations of each heading, all headings together in descending order.
+/// `evidence` says what conflicts.
 [[nodiscard]] std::vector<Hypothesis> searchByCorrelation(
-    const MapFeatures& a, const MapFeatures& b, const CorrelationSearchOptions& options = {});
+    const MapFeatures& a, const MapFeatures& b, const CorrelationSearchOptions& options = {},
+    const EvidenceOptions& evidence = {});
 
 }  // namespace sbox

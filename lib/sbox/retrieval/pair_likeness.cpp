@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "sbox/verification/evidence.h"
 #include "sbox/verification/plausibility.h"
 
 namespace sbox {
@@ -18,11 +17,10 @@ bool hasCorner(const MapFeatures& map) {
                      [](const FrameFeatures& frame) { return !frame.corners.empty(); });
 }
 
-double likenessInOrder(const MapFeatures& a, const MapFeatures& b, const LikenessOptions& options) {
-  VoteOptions votes;
+double likenessInOrder(const MapFeatures& a, const MapFeatures& b, const LikenessOptions& options,
+                       VoteOptions votes, const EvidenceWeights& weights) {
   votes.max_hypotheses = options.max_hypotheses;
   votes.min_per_heading = options.min_per_heading;
-  const EvidenceWeights weights;
   const auto scored = [&](const RigidTransform& b_in_a, int points) {
     return plausibility(gatherEvidence(a, b, b_in_a, static_cast<size_t>(points), weights));
   };
@@ -42,11 +40,14 @@ double likenessInOrder(const MapFeatures& a, const MapFeatures& b, const Likenes
 
 }  // namespace
 
-double pairLikeness(const MapFeatures& a, const MapFeatures& b, const LikenessOptions& options) {
+double pairLikeness(const MapFeatures& a, const MapFeatures& b, const LikenessOptions& options,
+                    const VoteOptions& votes, const EvidenceOptions& evidence) {
   if (!hasCorner(a) || !hasCorner(b)) {
     return std::numeric_limits<double>::infinity();
   }
-  return comesFirst(b, a) ? likenessInOrder(b, a, options) : likenessInOrder(a, b, options);
+  const EvidenceWeights weights(evidence);
+  return comesFirst(b, a) ? likenessInOrder(b, a, options, votes, weights)
+                          : likenessInOrder(a, b, options, votes, weights);
 }
 
 }  // namespace sbox

@@ -7,6 +7,7 @@
 
 #include "sbox/features/map_features.h"
 #include "sbox/matching/feature_votes.h"
+#include "sbox/verification/evidence.h"
 
 namespace sbox {
 
@@ -21,8 +22,11 @@ struct LikenessOptions {
 
 /// Plausibility of the best transform: higher is more alike, kImplausible where none lays the maps
 /// on each other. Infinite where a map has no corner to look by, so that nothing is known. The
-/// order of the maps does not matter.
+/// order of the maps does not matter. `votes`, but for what `options` says itself, and `evidence`
+/// say what is alike.
 [[nodiscard]] double pairLikeness(const MapFeatures& a, const MapFeatures& b,
-                                  const LikenessOptions& options = {});
+                                  const LikenessOptions& options = {},
+                                  const VoteOptions& votes = {},
+                                  const EvidenceOptions& evidence = {});
 
 }  // namespace sbox

@@ -42,7 +42,7 @@ struct Evidence : WallSums {
 };
 
 /// Weight of a wall this deep (metres) in free space as a conflict, from 0 to 1.
-[[nodiscard]] double conflictWeight(double depth, const EvidenceOptions& options = {});
+[[nodiscard]] double conflictWeight(double depth, const EvidenceOptions& options);
 
 /// The weights of the options by quantised distance or depth (see WallFields), made once for many
 /// hypotheses.
