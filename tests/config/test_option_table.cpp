@@ -17,7 +17,6 @@ struct ToyOptions {
   double share = 0.25;
   int most = 7;
   size_t points = 400;
-  bool strict = true;
   Colour colour = Colour::Blue;
 };
 
@@ -30,7 +29,6 @@ OptionTable describe(ToyOptions& toy) {
   table.number("share", toy.share, {0, 1}, "How often");
   table.count("most", toy.most, {1, 1000}, "How many");
   table.count("points", toy.points, {0, 1000000}, "Of how many");
-  table.flag("strict", toy.strict, "Whether");
   table.choice<Colour>("colour", toy.colour, {{"red", Colour::Red}, {"blue", Colour::Blue}},
                        "Which");
   return table;
@@ -51,14 +49,12 @@ std::string message(const std::string& ini) {
 TEST_CASE("options take the values of the file, and keep theirs where it is silent") {
   ToyOptions toy;
   describe(toy).apply(
-      parseIni("[lengths]\nreach = 2.5\nturn = 90\n[REST]\nMost = 12\npoints=0\nstrict = "
-               "false\ncolour = red\n"));
+      parseIni("[lengths]\nreach = 2.5\nturn = 90\n[REST]\nMost = 12\npoints=0\ncolour = red\n"));
   CHECK(toy.reach == 2.5);
   CHECK(toy.turn == Approx(M_PI / 2));
   CHECK(toy.share == 0.25);
   CHECK(toy.most == 12);
   CHECK(toy.points == 0);
-  CHECK_FALSE(toy.strict);
   CHECK(toy.colour == Colour::Red);
 }
 
@@ -74,13 +70,11 @@ TEST_CASE("what the table does not know, or out of range, is an error that names
         "line 2: [rest] most must be a whole number from 1 to 1000, not \"1.5\"");
   CHECK(message("[rest]\npoints = -1\n") ==
         "line 2: [rest] points must be a whole number from 0 to 1000000, not \"-1\"");
-  CHECK(message("[rest]\nstrict = maybe\n") ==
-        "line 2: [rest] strict must be true or false, not \"maybe\"");
   CHECK(message("[rest]\ncolour =\n") == "line 2: [rest] colour must be red or blue, not \"\"");
 }
 
 TEST_CASE("the dump reads back to the same values") {
-  ToyOptions toy{1.25, 0.123, 1.0 / 3, 3, 1000000, false, Colour::Red};
+  ToyOptions toy{1.25, 0.123, 1.0 / 3, 3, 1000000, Colour::Red};
   const std::string dump = describe(toy).dump();
   CHECK(dump.find("reach = 1.25 ") != std::string::npos);
   CHECK(dump.find("; How much, degrees, 0 to 180\n") != std::string::npos);
@@ -91,7 +85,6 @@ TEST_CASE("the dump reads back to the same values") {
   CHECK(again.share == toy.share);
   CHECK(again.most == 3);
   CHECK(again.points == 1000000);
-  CHECK_FALSE(again.strict);
   CHECK(again.colour == Colour::Red);
   ToyOptions defaults;
   CHECK(describe(defaults).dump().find("turn = 6 ") != std::string::npos);

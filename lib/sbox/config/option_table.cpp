@@ -96,10 +96,6 @@ void OptionTable::count(const std::string& key, size_t& value, Range range,
   addCount(key, value, range, meaning);
 }
 
-void OptionTable::flag(const std::string& key, bool& value, const std::string& meaning) {
-  choice<bool>(key, value, {{"true", true}, {"false", false}}, meaning);
-}
-
 void OptionTable::addChoice(const std::string& key, const std::vector<std::string>& words,
                             const std::string& meaning, const std::function<size_t()>& read,
                             const std::function<void(size_t)>& write) {

@@ -46,8 +46,6 @@ class OptionTable {
   void count(const std::string& key, int& value, Range range, const std::string& meaning);
   /// As above; the range begins at 0 or above.
   void count(const std::string& key, size_t& value, Range range, const std::string& meaning);
-  /// Yes or no.
-  void flag(const std::string& key, bool& value, const std::string& meaning);
 
   /// One of a few words.
   template <typename Enum>

@@ -73,7 +73,7 @@ std::optional<BoxKalmanResult> filterCorners(const std::vector<CornerPair>& corn
   CornerFilter filter(prediction, pivot_b, options);
   BoxKalmanResult result;
   for (const CornerPair& corner : corners) {
-    ++(filter.observe(corner, options.gate) ? result.used : result.left_out);
+    result.used += filter.observe(corner, options.gate) ? 1 : 0;
   }
   if (result.used == 0) {
     return std::nullopt;

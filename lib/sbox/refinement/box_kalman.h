@@ -30,8 +30,7 @@ struct BoxKalmanResult {
   /// Of (x, y, heading) about the pivot. Takes corners for independent, which drift does not let
   /// them be: too small where maps are bent; see pose_covariance.h for what to rely on.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();
-  int used = 0;      ///< Corners.
-  int left_out = 0;  ///< Corners beyond the gate.
+  int used = 0;  ///< Corners that passed the gate.
 };
 
 /// The transform after all corners, starting from `prediction` (eq. 6); none if no corner passes
