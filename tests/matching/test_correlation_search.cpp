@@ -7,8 +7,8 @@
 
 #include "catch.h"
 #include "drawing.h"
+#include "sbox/alignment/plausibility.h"
 #include "sbox/matching/correlation_search.h"
-#include "sbox/verification/plausibility.h"
 
 using namespace sbox;
 using Eigen::Vector2d;

@@ -5,8 +5,8 @@
 #include <random>
 
 #include "catch.h"
+#include "sbox/alignment/plausibility.h"
 #include "sbox/retrieval/choose_pairs.h"
-#include "sbox/verification/plausibility.h"
 
 using namespace sbox;
 

@@ -6,8 +6,8 @@
 
 #include "catch.h"
 #include "drawing.h"
+#include "sbox/alignment/plausibility.h"
 #include "sbox/retrieval/pair_likeness.h"
-#include "sbox/verification/plausibility.h"
 #include "scattered_map.h"
 
 using namespace sbox;

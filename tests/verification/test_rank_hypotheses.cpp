@@ -6,8 +6,8 @@
 
 #include "catch.h"
 #include "drawing.h"
+#include "sbox/alignment/plausibility.h"
 #include "sbox/matching/feature_votes.h"
-#include "sbox/verification/plausibility.h"
 #include "sbox/verification/rank_hypotheses.h"
 
 using namespace sbox;

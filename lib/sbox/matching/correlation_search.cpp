@@ -8,7 +8,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "sbox/verification/plausibility.h"
+#include "sbox/alignment/plausibility.h"
 
 namespace sbox {
 namespace {

@@ -7,10 +7,10 @@
 
 #include <vector>
 
+#include "sbox/alignment/evidence.h"
 #include "sbox/features/map_features.h"
 #include "sbox/matching/heading_candidates.h"
 #include "sbox/matching/hypothesis.h"
-#include "sbox/verification/evidence.h"
 
 namespace sbox {
 

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <memory>
 
-#include "sbox/refinement/robust_kernel.h"
+#include "sbox/alignment/robust_kernel.h"
 
 namespace sbox {
 namespace {

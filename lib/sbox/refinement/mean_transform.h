@@ -6,9 +6,9 @@
 // building that agrees best as it is.
 #pragma once
 
+#include "sbox/alignment/drift_field.h"
 #include "sbox/core/rigid_transform.h"
 #include "sbox/features/map_features.h"
-#include "sbox/refinement/drift_field.h"
 
 namespace sbox {
 

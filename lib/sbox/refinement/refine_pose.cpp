@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
+#include "sbox/alignment/wall_alignment.h"
 #include "sbox/refinement/corner_pairs.h"
 #include "sbox/refinement/mean_transform.h"
-#include "sbox/refinement/wall_alignment.h"
 
 namespace sbox {
 namespace {

@@ -9,11 +9,11 @@
 #include <optional>
 #include <vector>
 
+#include "sbox/alignment/drift_field.h"
 #include "sbox/features/map_features.h"
 #include "sbox/matching/matched_boxes.h"
 #include "sbox/refinement/box_kalman.h"
 #include "sbox/refinement/ceres_polish.h"
-#include "sbox/refinement/drift_field.h"
 #include "sbox/refinement/pose_covariance.h"
 
 namespace sbox {

@@ -7,7 +7,7 @@
 #include <functional>
 #include <limits>
 
-#include "sbox/verification/plausibility.h"
+#include "sbox/alignment/plausibility.h"
 
 namespace sbox {
 

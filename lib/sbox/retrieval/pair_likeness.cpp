@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "sbox/verification/plausibility.h"
+#include "sbox/alignment/plausibility.h"
 
 namespace sbox {
 namespace {

@@ -5,9 +5,9 @@
 // votes of corners and boxes, asked of a few wall points.
 #pragma once
 
+#include "sbox/alignment/evidence.h"
 #include "sbox/features/map_features.h"
 #include "sbox/matching/feature_votes.h"
-#include "sbox/verification/evidence.h"
 
 namespace sbox {
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "sbox/alignment/drift_field.h"
+#include "sbox/alignment/evidence.h"
 #include "sbox/core/rigid_transform.h"
-#include "sbox/refinement/drift_field.h"
-#include "sbox/verification/evidence.h"
 
 namespace sbox {
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "sbox/alignment/plausibility.h"
 #include "sbox/core/pose.h"
-#include "sbox/verification/plausibility.h"
 #include "sbox/verification/same_answer.h"
 #include "sbox/verification/verdict_model.h"
 

@@ -7,12 +7,12 @@
 
 #include <vector>
 
+#include "sbox/alignment/drift_field.h"
+#include "sbox/alignment/evidence.h"
+#include "sbox/alignment/wall_alignment.h"
 #include "sbox/features/map_features.h"
 #include "sbox/matching/hypothesis.h"
 #include "sbox/matching/matched_boxes.h"
-#include "sbox/refinement/drift_field.h"
-#include "sbox/refinement/wall_alignment.h"
-#include "sbox/verification/evidence.h"
 #include "sbox/verification/fit.h"
 
 namespace sbox {

@@ -6,7 +6,7 @@
 
 #include "catch.h"
 #include "drawing.h"
-#include "sbox/refinement/wall_alignment.h"
+#include "sbox/alignment/wall_alignment.h"
 #include "scattered_map.h"
 
 using namespace sbox;
@@ -115,7 +115,7 @@ double errorOf(const Pair& pair, const RigidTransform& found) {
 
 }  // namespace
 
-TEST_CASE("walls near the truth are laid on each other", "[refinement]") {
+TEST_CASE("walls near the truth are laid on each other", "[alignment]") {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> shift(-0.6, 0.6), turn(-0.05, 0.05);
   for (unsigned seed = 1; seed <= 4; ++seed) {
@@ -134,7 +134,7 @@ TEST_CASE("walls near the truth are laid on each other", "[refinement]") {
   }
 }
 
-TEST_CASE("aligning a to b is the inverse of aligning b to a", "[refinement]") {
+TEST_CASE("aligning a to b is the inverse of aligning b to a", "[alignment]") {
   for (unsigned seed = 1; seed <= 3; ++seed) {
     const Pair pair = seenTwice(seed, {2, 1, 2.0});
     const RigidTransform start = moved(pair.b_in_a, pair.b, {0.3, -0.2, 0.02});
@@ -147,7 +147,7 @@ TEST_CASE("aligning a to b is the inverse of aligning b to a", "[refinement]") {
   }
 }
 
-TEST_CASE("what is aligned stays, and what does not meet stays where it was", "[refinement]") {
+TEST_CASE("what is aligned stays, and what does not meet stays where it was", "[alignment]") {
   const MapFeatures office = extractFeatures(test::exploreMap(test::officeFloor(), {}, 0.1));
   const RigidTransform itself = alignWalls(office, office, {});
   CHECK(itself.translation.norm() < 1e-3);
@@ -158,7 +158,7 @@ TEST_CASE("what is aligned stays, and what does not meet stays where it was", "[
   CHECK(left.heading == Approx(0.4));
 }
 
-TEST_CASE("two parallel walls are moved across, not along", "[refinement]") {
+TEST_CASE("two parallel walls are moved across, not along", "[alignment]") {
   MapFeatures map;
   map.width = 24;
   map.height = 2.5;
@@ -175,8 +175,7 @@ TEST_CASE("two parallel walls are moved across, not along", "[refinement]") {
   CHECK(std::abs(found.heading) < 1e-4);
 }
 
-TEST_CASE("the information is that of each wall, differentiated by moving the map",
-          "[refinement]") {
+TEST_CASE("the information is that of each wall, differentiated by moving the map", "[alignment]") {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> shift(-2, 2), degrees(-4, 4);
   for (unsigned seed = 1; seed <= 5; ++seed) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sbox/verification/evidence.h"
+#include "sbox/alignment/evidence.h"
 
 #include <algorithm>
 #include <cmath>

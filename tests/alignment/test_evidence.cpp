@@ -5,7 +5,7 @@
 
 #include "catch.h"
 #include "drawing.h"
-#include "sbox/verification/evidence.h"
+#include "sbox/alignment/evidence.h"
 #include "scattered_map.h"
 
 using namespace sbox;
@@ -139,7 +139,7 @@ void checkAlike(const Evidence& left, const Evidence& right, double tolerance) {
 
 }  // namespace
 
-TEST_CASE("evidence is what each wall and each free point says by itself", "[verification]") {
+TEST_CASE("evidence is what each wall and each free point says by itself", "[alignment]") {
   std::mt19937 random(5);
   double agreed = 0, conflicted = 0;
   for (unsigned seed = 1; seed <= 6; ++seed) {
@@ -162,7 +162,7 @@ TEST_CASE("evidence is what each wall and each free point says by itself", "[ver
   CHECK(conflicted > 10);
 }
 
-TEST_CASE("that places are told apart by cells changes little", "[verification]") {
+TEST_CASE("that places are told apart by cells changes little", "[alignment]") {
   std::mt19937 random(6);
   double found = 0, exact = 0;
   for (unsigned seed = 1; seed <= 6; ++seed) {
@@ -183,7 +183,7 @@ TEST_CASE("that places are told apart by cells changes little", "[verification]"
   CHECK(found == Approx(exact).epsilon(0.03));
 }
 
-TEST_CASE("evidence is the same seen from the other map", "[verification]") {
+TEST_CASE("evidence is the same seen from the other map", "[alignment]") {
   std::mt19937 random(7);
   for (unsigned seed = 1; seed <= 4; ++seed) {
     const MapFeatures a = test::scatteredMap(seed).features;
@@ -197,7 +197,7 @@ TEST_CASE("evidence is the same seen from the other map", "[verification]") {
   }
 }
 
-TEST_CASE("the first points stand for all", "[verification]") {
+TEST_CASE("the first points stand for all", "[alignment]") {
   const Map map = test::exploreMap(test::officeFloor(), {2, 1, 0.3}, 0.1);
   const MapFeatures office = extractFeatures(map);
   const RigidTransform off{0.02, {0.3, -0.2}};
@@ -213,7 +213,7 @@ TEST_CASE("the first points stand for all", "[verification]") {
   CHECK(none.free_free == 0);
 }
 
-TEST_CASE("drift that shifts everything is a shift", "[verification]") {
+TEST_CASE("drift that shifts everything is a shift", "[alignment]") {
   std::mt19937 random(8);
   const MapFeatures a = test::scatteredMap(3).features, b = test::scatteredMap(4).features;
   const RigidTransform b_in_a = randomTransform(random);
@@ -225,7 +225,7 @@ TEST_CASE("drift that shifts everything is a shift", "[verification]") {
   checkAlike(gatherEvidence(a, b, b_in_a, drift), gatherEvidence(a, b, shifted), 1e-9);
 }
 
-TEST_CASE("a map agrees with itself and conflicts nowhere", "[verification]") {
+TEST_CASE("a map agrees with itself and conflicts nowhere", "[alignment]") {
   const MapFeatures office =
       extractFeatures(test::exploreMap(test::officeFloor(), {2, 1, 0.3}, 0.1));
   const Evidence itself = gatherEvidence(office, office, {});
@@ -241,7 +241,7 @@ TEST_CASE("a map agrees with itself and conflicts nowhere", "[verification]") {
   CHECK(apart.free_free == 0);
 }
 
-TEST_CASE("walls conflict more the deeper they stand in free space", "[verification]") {
+TEST_CASE("walls conflict more the deeper they stand in free space", "[alignment]") {
   EvidenceOptions options;
   options.conflict_from = 0.2;
   options.conflict_full = 0.6;

@@ -9,9 +9,9 @@
 #include <array>
 #include <limits>
 
+#include "sbox/alignment/drift_field.h"
 #include "sbox/core/rigid_transform.h"
 #include "sbox/features/map_features.h"
-#include "sbox/refinement/drift_field.h"
 
 namespace sbox {
 

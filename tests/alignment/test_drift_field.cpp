@@ -5,7 +5,7 @@
 
 #include "catch.h"
 #include "drawing.h"
-#include "sbox/refinement/drift_field.h"
+#include "sbox/alignment/drift_field.h"
 
 using namespace sbox;
 using Eigen::Vector2d;
@@ -73,7 +73,7 @@ RigidTransform gridInGrid(const MapFeatures& a, const MapFeatures& b) {
 
 }  // namespace
 
-TEST_CASE("a field is bilinear between its nodes and constant beyond", "[refinement]") {
+TEST_CASE("a field is bilinear between its nodes and constant beyond", "[alignment]") {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> number(-1, 1), x(-10, 40), y(-10, 30);
   for (const auto& [columns, rows] :
@@ -93,7 +93,7 @@ TEST_CASE("a field is bilinear between its nodes and constant beyond", "[refinem
   CHECK(DriftField().at({3, 4}) == Vector2d::Zero());
 }
 
-TEST_CASE("roughness is the change from node to node", "[refinement]") {
+TEST_CASE("roughness is the change from node to node", "[alignment]") {
   CHECK(DriftField().roughness() == 0);
   CHECK(fieldOf(2, 2, 5, {0, 0}, {{1, 2}, {1, 2}, {1, 2}, {1, 2}}).roughness() == 0);
   CHECK(fieldOf(2, 1, 5, {0, 0}, {{0, 0}, {3, 4}}).roughness() == Approx(5));
@@ -103,7 +103,7 @@ TEST_CASE("roughness is the change from node to node", "[refinement]") {
         Approx(std::sqrt(0.5)));
 }
 
-TEST_CASE("a map is not bent against itself", "[refinement]") {
+TEST_CASE("a map is not bent against itself", "[alignment]") {
   const MapFeatures office = seen(test::officeFloor());
   const DriftField drift = estimateDrift(office, office, {});
   for (const Vector2d& displacement : drift.displacements) {
@@ -111,7 +111,7 @@ TEST_CASE("a map is not bent against itself", "[refinement]") {
   }
 }
 
-TEST_CASE("an arc is found, and laid the right way round", "[refinement]") {
+TEST_CASE("an arc is found, and laid the right way round", "[alignment]") {
   const MapFeatures straight = seen(test::officeFloor());
   const MapFeatures arc = seen(bent(test::officeFloor(), 0.5));
   // Where the middle of the bent floor lies 0.5 m too far up, in b it has to go down.
@@ -132,7 +132,7 @@ TEST_CASE("an arc is found, and laid the right way round", "[refinement]") {
   }
 }
 
-TEST_CASE("maps that do not meet have no drift", "[refinement]") {
+TEST_CASE("maps that do not meet have no drift", "[alignment]") {
   const MapFeatures office = seen(test::officeFloor());
   const DriftField drift = estimateDrift(office, office, {0.3, {1000, 500}});
   for (const Vector2d& displacement : drift.displacements) {

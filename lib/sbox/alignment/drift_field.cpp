@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sbox/refinement/drift_field.h"
+#include "sbox/alignment/drift_field.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "sbox/alignment/robust_kernel.h"
 #include "sbox/features/field_lookup.h"
-#include "sbox/refinement/robust_kernel.h"
 
 namespace sbox {
 namespace {

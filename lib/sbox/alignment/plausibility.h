@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "sbox/verification/evidence.h"
+#include "sbox/alignment/evidence.h"
 
 namespace sbox {
 

@@ -4,11 +4,11 @@
 
 #include "catch.h"
 #include "drawing.h"
-#include "sbox/verification/plausibility.h"
+#include "sbox/alignment/plausibility.h"
 
 using namespace sbox;
 
-TEST_CASE("maps that hardly meet are implausible", "[verification]") {
+TEST_CASE("maps that hardly meet are implausible", "[alignment]") {
   CHECK(plausibility({}) == kImplausible);
   Evidence evidence;
   evidence.known = 1;
@@ -16,7 +16,7 @@ TEST_CASE("maps that hardly meet are implausible", "[verification]") {
   CHECK(plausibility(evidence) == kImplausible);
 }
 
-TEST_CASE("more wall that agrees, and more shared space, is more plausible", "[verification]") {
+TEST_CASE("more wall that agrees, and more shared space, is more plausible", "[alignment]") {
   Evidence evidence;
   evidence.known = 60;
   evidence.free_free = 100;
@@ -33,7 +33,7 @@ TEST_CASE("more wall that agrees, and more shared space, is more plausible", "[v
 }
 
 TEST_CASE("of many transforms of a random office the true one is the most plausible",
-          "[verification]") {
+          "[alignment]") {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     const MapFeatures office = extractFeatures(test::exploreMap(test::randomFloor(seed), {}, 0.1));
     const Eigen::Vector2d middle(office.width / 2, office.height / 2);

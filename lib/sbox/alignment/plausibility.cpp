@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sbox/verification/plausibility.h"
+#include "sbox/alignment/plausibility.h"
 
 #include <cmath>
 

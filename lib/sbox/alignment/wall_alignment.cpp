@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sbox/refinement/wall_alignment.h"
+#include "sbox/alignment/wall_alignment.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
+#include "sbox/alignment/robust_kernel.h"
 #include "sbox/features/field_lookup.h"
-#include "sbox/refinement/robust_kernel.h"
 
 namespace sbox {
 namespace {
