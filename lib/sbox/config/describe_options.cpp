@@ -5,7 +5,7 @@
 #include "sbox/config/describe_boxes.h"
 #include "sbox/config/describe_paper.h"
 #include "sbox/config/describe_states.h"
-#include "sbox/io/map_limits.h"
+#include "sbox/core/map_limits.h"
 
 namespace sbox {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstring>
 
 #include "sbox/io/file_error.h"
-#include "sbox/io/map_limits.h"
+#include "sbox/io/map_checks.h"
 
 namespace sbox {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "sbox/io/file_error.h"
 #include "sbox/io/image_header.h"
-#include "sbox/io/map_limits.h"
+#include "sbox/io/map_checks.h"
 #include "sbox/io/path_extension.h"
 #include "sbox/io/png_chunks.h"
 #include "sbox/io/pnm_image.h"

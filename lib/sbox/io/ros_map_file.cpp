@@ -8,7 +8,7 @@
 
 #include "sbox/core/state_grid.h"
 #include "sbox/io/file_error.h"
-#include "sbox/io/map_limits.h"
+#include "sbox/io/map_checks.h"
 #include "sbox/io/ros_yaml.h"
 
 namespace sbox {

@@ -12,7 +12,7 @@
 #include "sbox/io/file_bytes.h"
 #include "sbox/io/file_error.h"
 #include "sbox/io/flat_yaml.h"
-#include "sbox/io/map_limits.h"
+#include "sbox/io/map_checks.h"
 #include "sbox/io/number_text.h"
 
 namespace sbox {

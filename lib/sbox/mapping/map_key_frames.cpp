@@ -7,7 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "sbox/io/map_limits.h"
+#include "sbox/core/map_limits.h"
 #include "sbox/mapping/crop_to_known.h"
 
 namespace sbox {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sbox/io/map_limits.h"
+#include "sbox/io/map_checks.h"
 
 #include <cmath>
 
