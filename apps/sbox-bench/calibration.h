@@ -31,19 +31,11 @@ struct Reliability {
 
 [[nodiscard]] Reliability reliability(const std::vector<const Answer*>& answers);
 
-/// Normalised estimation error squared, e^T P^-1 e, of the pose of b in a. The error e = (x, y,
-/// phi) and its covariance P are taken about `centre_in_b`, the middle of what the maps share:
-/// about a far-off origin the first-order P says little. Averages 3 where covariances are honest.
-/// None if the covariance is unknown (PairResult's default) or not positive definite.
-[[nodiscard]] std::optional<double> normalisedError(const PairResult& result,
-                                                    const Pose2D& true_pose_b_in_a,
-                                                    const Point2D& centre_in_b);
-
 /// One row a bin that has answers, over all answers of the run, and the Brier score.
 [[nodiscard]] Table reliabilityTable(const MethodRun& run);
 
-/// One row a group that has covariances: mean normalised error of the right answers beside the band
-/// that holds it in 95 of 100 cases if covariances are honest and errors independent.
+/// One row a group that has covariances: mean normalised errors of the right answers beside the
+/// band that holds them in 95 of 100 cases if covariances are honest and errors independent.
 [[nodiscard]] Table normalisedErrorTable(const MethodRun& run);
 
 }  // namespace sbox::bench

@@ -6,7 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "sbox-bench/calibration.h"
 #include "sbox-bench/progress_bar.h"
 #include "sbox-bench/statistics.h"
 #include "sbox/core/parallel.h"
@@ -48,14 +47,6 @@ StageSeconds summarise(const std::vector<StageSeconds>& runs, const MapWork& a, 
           over(&StageSeconds::pair)};
 }
 
-Point2D meanPoint(const std::vector<Point2D>& points) {
-  Point2D mean;
-  for (const Point2D& point : points) {
-    mean += point * (1.0 / static_cast<double>(points.size()));
-  }
-  return mean;
-}
-
 Answer answerPair(const Method& method, const AnnotatedPair& pair, double resolution,
                   const Map& map_a, const Map& map_b, const MapWork& a, const MapWork& b,
                   int repeat) {
@@ -79,11 +70,9 @@ Answer answerPair(const Method& method, const AnnotatedPair& pair, double resolu
         cornerTransform(answer.result.pose_b_in_a, map_a.corner_in_map, map_b.corner_in_map);
     answer.error = judged(answer.result.pose_b_in_a);
     if (!pair.negative) {
-      const Pose2D truth = framePose(trueCornerAInCornerB(pair, resolution), map_a.corner_in_map,
-                                     map_b.corner_in_map);
-      answer.normalised_error =
-          normalisedError(answer.result, truth,
-                          map_b.corner_in_map.composePoint(meanPoint(pair.points_b) * resolution));
+      answer.normalised_error = normalisedError(
+          answer.result,
+          annotatedTruth(pair, resolution, map_a.corner_in_map, map_b.corner_in_map));
     }
     answer.candidate_right = answer.poseRight();
     for (const Candidate& alternative : answer.result.alternatives) {

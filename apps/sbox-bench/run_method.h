@@ -11,6 +11,7 @@
 #include "sbox-bench/annotated_pairs.h"
 #include "sbox-bench/judge.h"
 #include "sbox-bench/method.h"
+#include "sbox-bench/normalised_error.h"
 #include "sbox/core/map.h"
 #include "sbox/core/pair_result.h"
 
@@ -49,10 +50,10 @@ struct Answer {
   Pose2D corner_a_in_corner_b;     ///< The transform in the annotation's frames, metres.
   std::optional<PoseError> error;  ///< None for negative pairs and answers without a pose.
   Outcome outcome = Outcome::Refused;
-  std::optional<double> normalised_error;  ///< See normalisedError(); none without covariance.
-  bool candidate_right = false;            ///< The pose or one of the alternatives is right.
-  StageSeconds least;                      ///< Least over the repeats, stage by stage.
-  StageSeconds middle;                     ///< Median over the repeats, stage by stage.
+  std::optional<NormalisedError> normalised_error;  ///< None without covariance.
+  bool candidate_right = false;  ///< The pose or one of the alternatives is right.
+  StageSeconds least;            ///< Least over the repeats, stage by stage.
+  StageSeconds middle;           ///< Median over the repeats, stage by stage.
 
   /// Whether the pose, accepted or not, is right.
   [[nodiscard]] bool poseRight() const { return error && error->right; }

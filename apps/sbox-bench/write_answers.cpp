@@ -58,7 +58,8 @@ Json answerJson(const AnnotatedPair& pair, const Answer& answer, bool with_secon
     entry["rotation_error_deg"] = answer.error->rotation_deg;
   }
   if (answer.normalised_error) {
-    entry["normalised_error"] = *answer.normalised_error;
+    entry["normalised_error"] = answer.normalised_error->of_answer;
+    entry["normalised_difference"] = answer.normalised_error->of_difference;
   }
   if (with_seconds) {
     entry["seconds"] = {{"least", secondsJson(answer.least)},

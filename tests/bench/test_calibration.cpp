@@ -49,34 +49,3 @@ TEST_CASE("confidences are binned with what was right", "[bench][calibration]") 
   CHECK(all.bins.back().answers == 1);
   CHECK(std::isnan(reliability({}).brier));
 }
-
-TEST_CASE("the normalised error of honest poses averages three", "[bench][calibration]") {
-  // Poses drawn from their own covariance, which ties x and y to a turn about a far point.
-  Eigen::Matrix3d spread;
-  spread << 0.1, 0, 0, 0.03, 0.05, 0, 0.002, -0.004, 0.003;
-  const Pose2D truth(4, -2, 1.2);
-  std::mt19937 random(7);
-  std::normal_distribution<double> normal;
-  double sum = 0;
-  constexpr int kDraws = 4000;
-  for (int i = 0; i < kDraws; ++i) {
-    const Eigen::Vector3d e =
-        spread * Eigen::Vector3d(normal(random), normal(random), normal(random));
-    PairResult result;
-    result.has_pose = true;
-    result.pose_b_in_a = {truth.x + e.x(), truth.y + e.y(), truth.phi + e.z()};
-    result.covariance = spread * spread.transpose();
-    sum += normalisedError(result, truth, {3, 8}).value();
-  }
-  CHECK(sum / kDraws == Approx(3).margin(0.15));
-}
-
-TEST_CASE("an unknown covariance has no normalised error", "[bench][calibration]") {
-  PairResult result;
-  result.has_pose = true;
-  CHECK_FALSE(normalisedError(result, {}, {0, 0}).has_value());
-  result.covariance.setZero();
-  CHECK_FALSE(normalisedError(result, {}, {0, 0}).has_value());
-  result.covariance.setIdentity();
-  CHECK(normalisedError(result, {2, 0, 0}, {0, 0}).value() == Approx(4));
-}

@@ -96,9 +96,9 @@ TEST_CASE("answers are judged through the maps' own corners", "[bench][run_metho
     CHECK(answers[i].outcome == expected[i]);
   }
   CHECK(answers[0].error->excess_cells == Approx(0).margin(1e-6));
-  CHECK(answers[0].normalised_error.value() == Approx(0).margin(1e-9));
+  CHECK(answers[0].normalised_error->of_answer == Approx(0).margin(1e-9));
   CHECK(answers[4].error->excess_cells == Approx(200));
-  CHECK(answers[4].normalised_error.value() == Approx(10000));
+  CHECK(answers[4].normalised_error->of_answer == Approx(10000));
   CHECK_FALSE(answers[4].poseRight());
   CHECK(answers[4].candidate_right);
   CHECK_FALSE(answers[5].error.has_value());
