@@ -33,6 +33,7 @@ using namespace sbox::bench;
 struct Arguments {
   std::vector<std::string> folders;
   std::vector<std::string> methods;
+  std::vector<std::string> variants;
   RunOptions run;
   bool markdown = false;
   bool no_seconds = false;
@@ -51,6 +52,10 @@ void addOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("FOLDER", arguments.folders, "Folders that hold a pairs.json")->required();
   app.add_option("--method", arguments.methods, "Methods to run, side by side")
       ->check(CLI::IsMember(methodNames()));
+  app.add_option("--with", arguments.variants,
+                 "Also run the default method with other options, section.key=value[,...] as\n"
+                 "sbox-merge --dump-config names them: what a part is worth")
+      ->type_name("SETTINGS");
   app.add_option("--only", arguments.run.only,
                  "Only pairs whose \"folder group a b\" holds this text");
   app.add_option("--every", arguments.run.every, "Only each N-th of them")
@@ -141,6 +146,21 @@ void printFit(const std::vector<LoadedFolder>& folders, const Arguments& argumen
   print(crossValidation(samples, names, sbox::VerdictOptions{}.accept_from), arguments.markdown);
 }
 
+std::vector<Method> chosenMethods(const Arguments& arguments) {
+  std::vector<Method> methods;
+  for (const std::string& name : arguments.methods) {
+    methods.push_back(methodByName(name));
+  }
+  for (const std::string& settings : arguments.variants) {
+    try {
+      methods.push_back(methodWith(settings));
+    } catch (const std::invalid_argument& error) {
+      throw std::runtime_error("--with " + settings + ": " + error.what());
+    }
+  }
+  return methods;
+}
+
 void run(const Arguments& arguments) {
   if (!arguments.weights.empty() && arguments.weights.size() != arguments.folders.size()) {
     throw std::runtime_error("--weights needs one number for each folder");
@@ -153,6 +173,7 @@ void run(const Arguments& arguments) {
     print(setTable(pair_folders, arguments.run.threads), arguments.markdown);
     return;
   }
+  const std::vector<Method> methods = chosenMethods(arguments);
   std::vector<LoadedFolder> folders;
   for (const std::string& folder : arguments.folders) {
     folders.push_back(loadFolder(readPairFolder(folder), arguments.run));
@@ -172,9 +193,8 @@ void run(const Arguments& arguments) {
     }
   }
   std::vector<MethodRun> runs;
-  for (const std::string& name : arguments.methods) {
-    const Method method = methodByName(name);
-    MethodRun method_run{name, {}};
+  for (const Method& method : methods) {
+    MethodRun method_run{method.name, {}};
     for (const LoadedFolder& folder : folders) {
       method_run.folders.push_back({&folder, runMethod(method, folder, arguments.run)});
     }
@@ -205,9 +225,9 @@ int main(int argc, char** argv) {
   addOptions(app, arguments);
   try {
     app.parse(argc, argv);
-    if (arguments.methods.empty() && !arguments.sets && !arguments.fit_verdict &&
-        !arguments.refinement) {
-      throw CLI::RequiredError("--method, --sets, --fit-verdict or --refinement");
+    if (arguments.methods.empty() && arguments.variants.empty() && !arguments.sets &&
+        !arguments.fit_verdict && !arguments.refinement) {
+      throw CLI::RequiredError("--method, --with, --sets, --fit-verdict or --refinement");
     }
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;

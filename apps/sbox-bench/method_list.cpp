@@ -3,6 +3,7 @@
 #include "sbox-bench/method_list.h"
 
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "sbox-bench/methods/keypoints.h"
 #include "sbox-bench/methods/map_merge.h"
 #include "sbox-bench/methods/mrpt_aligner.h"
+#include "sbox/config/describe_options.h"
 #include "sbox/match_pair.h"
 #include "sbox/paper/paper_method.h"
 
@@ -23,21 +25,23 @@ Method makeKeypoints(KeypointKind kind) {
   return keypointMethod(options);
 }
 
-Method makeBoxes() {
+Method makeBoxes(const std::string& name, const PairOptions& options) {
   return makeMethod(
-      "boxes", [](const Map& map) { return extractFeatures(map); },
-      [](const MapFeatures& a, const MapFeatures& b) { return matchPair(a, b); });
+      name, [options](const Map& map) { return extractFeatures(map, options.features); },
+      [options](const MapFeatures& a, const MapFeatures& b) { return matchPair(a, b, options); });
 }
 
-Method makePaper() {
+Method makePaper(const std::string& name, const PaperOptions& options) {
   return makeMethod(
-      "paper", [](const Map& map) { return extractPaperFeatures(map); },
-      [](const PaperFeatures& a, const PaperFeatures& b) { return matchPaper(a, b); });
+      name, [options](const Map& map) { return extractPaperFeatures(map, options); },
+      [options](const PaperFeatures& a, const PaperFeatures& b) {
+        return matchPaper(a, b, options);
+      });
 }
 
 std::vector<Method> allMethods() {
-  std::vector<Method> methods{makeBoxes(),
-                              makePaper(),
+  std::vector<Method> methods{makeBoxes("boxes", {}),
+                              makePaper("paper", {}),
                               makeKeypoints(KeypointKind::Orb),
                               makeKeypoints(KeypointKind::Sift),
                               houghMethod(),
@@ -66,6 +70,23 @@ Method methodByName(const std::string& name) {
     }
   }
   throw std::invalid_argument("no method is called " + name);
+}
+
+Method methodWith(const std::string& settings) {
+  MergeOptions options;
+  const OptionTable table = describePairOptions(options);
+  std::istringstream list(settings);
+  for (std::string setting; std::getline(list, setting, ',');) {
+    const size_t equals = setting.find('=');
+    const size_t dot = setting.rfind('.', equals);
+    if (equals == std::string::npos || dot == std::string::npos) {
+      throw std::invalid_argument("\"" + setting + "\" is not section.key=value");
+    }
+    table.set(setting.substr(0, dot), setting.substr(dot + 1, equals - dot - 1),
+              setting.substr(equals + 1));
+  }
+  return options.method == sbox::Method::Paper ? makePaper(settings, options.paper)
+                                               : makeBoxes(settings, options.pair);
 }
 
 }  // namespace sbox::bench

@@ -16,4 +16,9 @@ namespace sbox::bench {
 /// is not in methodNames().
 [[nodiscard]] Method methodByName(const std::string& name);
 
+/// The library's method with some options of its own, "section.key=value,section.key=value", each
+/// as sbox-merge --dump-config names it; that text is its name. Throws std::invalid_argument for
+/// what is no option.
+[[nodiscard]] Method methodWith(const std::string& settings);
+
 }  // namespace sbox::bench

@@ -191,3 +191,20 @@ TEST_CASE("a method is found by each name that is listed", "[bench][methods]") {
   CHECK(listed("mrpt") == mrptMethod().has_value());
   CHECK_THROWS_AS(methodByName("nonsense"), std::invalid_argument);
 }
+
+TEST_CASE("the options of a variant are set, and no other text is taken", "[bench][methods]") {
+  const Map a = view({2, 3, 0}, 0.05, {0, 0, 0}), b = view({5, 4, 0.5}, 0.05, {0, 0, 0});
+  const auto answer = [&](const Method& method) {
+    return method.match(method.features(a), method.features(b));
+  };
+  const std::string strict = "verification.accept_from=1,matching.votes.box_weight=0";
+  CHECK(methodWith(strict).name == strict);
+  CHECK(answer(methodByName("boxes")).verdict == Verdict::Accepted);
+  CHECK(answer(methodWith(strict)).verdict != Verdict::Accepted);
+  CHECK(answer(methodWith("merge.method=paper")).pose_b_in_a.phi ==
+        answer(methodByName("paper")).pose_b_in_a.phi);
+  for (const char* text : {"accept_from=1", "verification.accept_from", "verification.accept=1",
+                           "verify.accept_from=1", "verification.accept_from=2", "x"}) {
+    CHECK_THROWS_AS(methodWith(text), std::invalid_argument);
+  }
+}

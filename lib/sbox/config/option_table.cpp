@@ -110,23 +110,32 @@ void OptionTable::addChoice(const std::string& key, const std::vector<std::strin
                    }});
 }
 
+void OptionTable::set(const std::string& section, const std::string& key,
+                      const std::string& value) const {
+  const auto in_section = [&](const OptionRow& row) { return row.section == section; };
+  if (std::none_of(rows_.begin(), rows_.end(), in_section)) {
+    throw std::invalid_argument("there is no section [" + section + "]");
+  }
+  const std::string name = "[" + section + "] " + key;
+  const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const OptionRow& candidate) {
+    return in_section(candidate) && candidate.key == key;
+  });
+  if (row == rows_.end()) {
+    throw std::invalid_argument("there is no option " + name);
+  }
+  try {
+    row->write(value);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(name + " " + error.what() + ", not \"" + value + "\"");
+  }
+}
+
 void OptionTable::apply(const std::vector<IniEntry>& entries) const {
   for (const IniEntry& entry : entries) {
-    const std::string name = "[" + entry.section + "] " + entry.key;
-    const auto in_section = [&](const OptionRow& row) { return row.section == entry.section; };
-    if (std::none_of(rows_.begin(), rows_.end(), in_section)) {
-      throw IniError(entry.line, "there is no section [" + entry.section + "]");
-    }
-    const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const OptionRow& candidate) {
-      return in_section(candidate) && candidate.key == entry.key;
-    });
-    if (row == rows_.end()) {
-      throw IniError(entry.line, "there is no option " + name);
-    }
     try {
-      row->write(entry.value);
+      set(entry.section, entry.key, entry.value);
     } catch (const std::invalid_argument& error) {
-      throw IniError(entry.line, name + " " + error.what() + ", not \"" + entry.value + "\"");
+      throw IniError(entry.line, error.what());
     }
   }
 }

@@ -72,6 +72,9 @@ class OptionTable {
   /// All rows, in the order added.
   [[nodiscard]] const std::vector<OptionRow>& rows() const { return rows_; }
 
+  /// Sets one variable. Throws std::invalid_argument on an unknown section or key and a bad value.
+  void set(const std::string& section, const std::string& key, const std::string& value) const;
+
   /// Sets the variables. Throws IniError on an unknown section or key and on a bad value.
   void apply(const std::vector<IniEntry>& entries) const;
 
