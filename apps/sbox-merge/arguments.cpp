@@ -125,6 +125,9 @@ void addChoices(CLI::App& app, Arguments& arguments, Texts& texts) {
          "scans, which every map must hold and which are adjusted to each other first\n"
          "(default logodds)")
       ->type_name("table|logodds|observations");
+  app.add_flag("--bend", arguments.merge.bend,
+               "Bend maps that have drifted so that walls seen twice fall on each other in the\n"
+               "merged map; poses stay those of the maps as they are");
   app.add_option("--slam", texts.slam,
                  "How rawlogs are mapped, by MRPT: ICP-SLAM, or particles, which take longer\n"
                  "(default icp); maps are kept beside the output")
@@ -246,6 +249,9 @@ std::optional<Arguments> parseArguments(int argc, const char* const* argv) {
   const std::optional<FusionRule> rule = chosen<std::optional<FusionRule>>(
       "--fusion", texts.fusion, fusion_rules, arguments.merge.fusion.rule);
   arguments.fuse_observations = !rule;
+  if (arguments.fuse_observations && arguments.merge.bend) {
+    throw UsageError("--bend bends cells; --fusion observations adjusts the scans instead");
+  }
   arguments.merge.fusion.rule = rule.value_or(arguments.merge.fusion.rule);
   arguments.slam.method = chosen("--slam", texts.slam, slam_methods, arguments.slam.method);
   if (!texts.slam_config.empty()) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "sbox/bending/bend_maps.h"
 #include "sbox/core/parallel.h"
 #include "sbox/placement/place_maps.h"
 #include "sbox/stopwatch.h"
@@ -27,8 +28,21 @@ MergedGroup fuseGroup(const std::vector<Map>& maps, const PlacementResult& place
   }
   FusionOptions fusion = options.fusion;
   fusion.threads = options.threads;
+  MergedGroup merged{number, group.reference, group.members, {}, 0, {}};
+  std::vector<BentMap> bent;
+  if (options.bend) {
+    const RankingOptions& ranking = options.pair.ranking;
+    bent = bendMaps(members, reference,
+                    {options.pair.features, ranking.drift, ranking.bent_evidence, fusion});
+    for (size_t i = 0; i < members.size(); ++i) {
+      members[i] = {&bent[i].map, Pose2D()};
+      merged.shifts.push_back(bent[i].shift);
+    }
+  }
   FusionResult fused = fuseMaps(members, reference, fusion);
-  return {number, group.reference, group.members, std::move(fused.merged), fused.conflict_share};
+  merged.map = std::move(fused.merged);
+  merged.conflict_share = fused.conflict_share;
+  return merged;
 }
 
 /// The largest group first; the others, in their order, if all are asked for.

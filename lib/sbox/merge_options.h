@@ -33,8 +33,10 @@ struct MergeOptions {
   AdjustmentOptions adjustment;  ///< For those who do so; see map_adjusted.h.
   FusionOptions fusion;          ///< Its `threads` is replaced by the one below.
   std::optional<int> reference;  ///< Index of the map whose frame the merged map takes, if it can.
-  bool all_groups = false;       ///< Merge every group of two or more, not only the largest.
-  int threads = 0;               ///< 0: one a core. Changes nothing but the time.
+  /// Bend maps that have drifted so that their walls meet in the merged map; see bend_maps.h.
+  bool bend = false;
+  bool all_groups = false;  ///< Merge every group of two or more, not only the largest.
+  int threads = 0;          ///< 0: one a core. Changes nothing but the time.
 };
 
 }  // namespace sbox

@@ -40,6 +40,8 @@ struct MergedGroup {
   std::vector<int> members;   ///< Indices of its maps, ascending.
   Map map;                    ///< The merged cells.
   double conflict_share = 0;  ///< Share of the cells known to several maps on which they differ.
+  /// How far each member was bent, root mean square over its walls, metres; empty without bending.
+  std::vector<double> shifts;
 };
 
 /// Wall time of each stage, in seconds. Matching, verification and refinement are sums over the

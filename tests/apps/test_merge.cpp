@@ -231,6 +231,23 @@ TEST_CASE("the dumped configuration is read back and counts") {
   checkContains(floors.run({"--dump-config", "--fusion", "table"}).out, "rule = table");
 }
 
+TEST_CASE("--bend says how far each map was bent, and leaves the poses") {
+  const Floors floors;
+  CHECK(floors.run({"--in", "a.yaml", "b.yaml", "--report", "r.json"}).exit_code == 0);
+  const json rigid = floors.report();
+  CHECK_FALSE(rigid["merged"].contains("bent"));
+  const Outcome outcome =
+      floors.run({"--in", "a.yaml", "b.yaml", "--bend", "-v", "--report", "r.json"});
+  CHECK(outcome.exit_code == 0);
+  checkContains(outcome.err, "b.yaml: bent by 0.0");
+  const json bent = floors.report();
+  CHECK(bent["maps"][1]["pose"] == rigid["maps"][1]["pose"]);
+  REQUIRE(bent["merged"]["bent"].size() == 2);
+  CHECK(bent["merged"]["bent"][0]["map"] == 0);
+  CHECK(bent["merged"]["bent"][0]["shift"] == 0);
+  CHECK(bent["merged"]["conflict_share"] <= rigid["merged"]["conflict_share"]);
+}
+
 TEST_CASE("images take their cell size from --resolution") {
   const Floors floors;
   saveMap(loadMap((floors.folder / "a.yaml").string()), (floors.folder / "a.png").string());

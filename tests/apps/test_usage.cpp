@@ -49,10 +49,11 @@ TEST_CASE("help and version go to stdout") {
   const Outcome help = runMerge(folder.path(), {"--help"});
   CHECK(help.exit_code == 0);
   CHECK(help.err.empty());
-  for (const char* option : {"--in",     "--out",    "--report",  "--pictures",  "--html",
-                             "--tf",     "--graph",  "--initial", "--reference", "--all-groups",
-                             "--method", "--fusion", "--config",  "--threads",   "--resolution",
-                             "--pairs",  "--join",   "--quiet",   "--verbose",   "--version"}) {
+  for (const char* option :
+       {"--in",    "--out",     "--report",    "--pictures",   "--html",   "--tf",
+        "--graph", "--initial", "--reference", "--all-groups", "--method", "--fusion",
+        "--bend",  "--config",  "--threads",   "--resolution", "--pairs",  "--join",
+        "--quiet", "--verbose", "--version"}) {
     checkContains(help.out, option);
   }
   const Outcome version = runMerge(folder.path(), {"--version"});

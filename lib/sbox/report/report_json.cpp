@@ -53,9 +53,13 @@ Json settledPairJson(const MapPair& pair) {
 }
 
 Json mergedJson(const MergedGroup& merged, const std::string& file) {
-  return {{"file", file},
-          {"cells", {merged.map.width(), merged.map.height()}},
-          {"conflict_share", merged.conflict_share}};
+  Json json{{"file", file},
+            {"cells", {merged.map.width(), merged.map.height()}},
+            {"conflict_share", merged.conflict_share}};
+  for (size_t i = 0; i < merged.shifts.size(); ++i) {
+    json["bent"].push_back({{"map", merged.members[i]}, {"shift", merged.shifts[i]}});
+  }
+  return json;
 }
 
 Json secondsJson(const StageSeconds& seconds) {

@@ -161,6 +161,10 @@ std::vector<std::string> detailLines(const MergeResult& result) {
                     " merged: " + std::to_string(merged.map.width()) + " x " +
                     std::to_string(merged.map.height()) + " cells, " +
                     fixedDigits(100 * merged.conflict_share, 1) + " % in conflict");
+    for (size_t i = 0; i < merged.shifts.size(); ++i) {
+      lines.push_back(result.maps[static_cast<size_t>(merged.members[i])].name + ": bent by " +
+                      fixedDigits(merged.shifts[i], 2) + " m");
+    }
   }
   lines.push_back(timeText(result.seconds));
   return lines;
