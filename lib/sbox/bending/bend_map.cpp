@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "sbox/core/parallel.h"
 #include "sbox/core/rigid_transform.h"
 #include "sbox/fusion/cell_box.h"
 #include "sbox/fusion/sub_cell_sampler.h"
@@ -60,7 +61,7 @@ Map bendMap(const PlacedMap& placed, const Displacement& displacement, double mo
       map, neckWidth(grid_in_lattice.phi, std::min(1.0, lattice.resolution / map.resolution())));
   const PointMover to_grid(
       RigidTransform{grid_in_reference.phi, {grid_in_reference.x, grid_in_reference.y}}.inverse());
-  for (int y = 0; y < bent.height(); ++y) {
+  parallelFor(bent.height(), lattice.threads, [&](int y) {
     LogOdds* row = bent.grid.getRow(y);
     for (int x = 0; x < bent.width(); ++x) {
       const Point2D here = bent.cellCentre(x, y);
@@ -73,7 +74,7 @@ Map bendMap(const PlacedMap& placed, const Displacement& displacement, double mo
                                              toSubCells(in_grid.y() / map.resolution() - 0.5)})
                                         .whole);
     }
-  }
+  });
   return bent;
 }
 

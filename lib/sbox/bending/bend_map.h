@@ -17,6 +17,7 @@ struct BentLattice {
   Pose2D corner_in_reference;  ///< Lower-left corner of a cell; phi turns the rows.
   double resolution = 0;       ///< Edge length of a cell, metres.
   double max_cells = 4e8;      ///< A bent map with more cells than this is refused.
+  int threads = 1;             ///< 0: one a core. The result does not depend on it.
 };
 
 /// The map in the reference frame, on that lattice, each cell moved by its pose and then by the

@@ -84,7 +84,7 @@ BentMap layOn(const MapFeatures& ground, const PlacedMap& placed, const MapFeatu
   };
   const BentLattice lattice{reference.corner_in_map,
                             std::min(reference.resolution(), placed.map->resolution()),
-                            options.fusion.max_cells};
+                            options.fusion.max_cells, options.fusion.threads};
   result.map = bendMap(placed, displacement, largestShift(drift), lattice);
   result.is_bent = true;
   result.shift = meanShift(drift, features, transform);
