@@ -32,6 +32,12 @@ bash -euo pipefail commands.sh < /dev/null > output.txt 2>&1 || { tail output.tx
 for file in merged.gridmap merged.simplemap merged_robot1.simplemap report.json; do
   [[ -s $file ]] || { echo "the commands of README.md did not make $file" >&2; exit 1; }
 done
+# The built-in settings of SLAM are such that MRPT's own programs take them, too.
+for slam in icp rbpf; do
+  $slam-slam "lib/sbox/slam/settings/$slam-slam.ini" robot1.rawlog < /dev/null > $slam.txt 2>&1 ||
+    { tail $slam.txt >&2; exit 1; }
+  [[ -s $slam-slam-log/log_estimated_path.txt ]] || { echo "$slam-slam found no path" >&2; exit 1; }
+done
 # At the end the robot knows where it is: within 0.5 m of where SLAM over the whole drive puts it.
 found() {
   grep "PDF estimation" localisation.log | tail -n 1 | sed 's/.*PDF estimation: (\(.*\)deg).*/\1/' |
