@@ -12,8 +12,10 @@ set(CPACK_COMPONENTS_ALL commands dev)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 
-set(about "Input are map files of MRPT (.gridmap) or ROS (.yaml with an image). The answer is one
- map and where each map lies in it, with covariance and confidence, or a plain refusal.")
+# CPack indents the lines; what is indented already it takes for verbatim text.
+set(about "Input are map files of MRPT (.gridmap, .simplemap) or ROS (.yaml with an image), and MRPT's
+rawlogs. The answer is one map and where each map lies in it, with covariance and confidence, or a
+plain refusal.")
 set(CPACK_DEBIAN_COMMANDS_PACKAGE_NAME sbox-merge)
 set(CPACK_DEBIAN_COMMANDS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_COMMANDS_PACKAGE_SHLIBDEPS ON)
@@ -23,7 +25,7 @@ set(CPACK_DEBIAN_DEV_PACKAGE_NAME libsbox-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
     "libceres-dev, libeigen3-dev, libmrpt-io-dev, libmrpt-maps-dev, libmrpt-obs-dev, libmrpt-slam-dev, libopencv-dev")
-set(CPACK_COMPONENT_DEV_DESCRIPTION "${about}\n This package holds the library.")
+set(CPACK_COMPONENT_DEV_DESCRIPTION "${about}\nThis package holds the library.")
 
 foreach(package sbox-merge libsbox-dev)
   set(component dev)

@@ -27,6 +27,10 @@ dpkg-deb --extract "${library[0]}" library
 
 [[ $(dpkg-deb --field "${commands[0]}" Depends) == *libmrpt-maps* ]] ||
   fail "sbox-merge does not ask for MRPT"
+for package in "${commands[0]}" "${library[0]}"; do
+  ! dpkg-deb --field "$package" Description | grep --quiet '^  ' ||
+    fail "the description of $package is set as verbatim text"
+done
 commands/usr/bin/sbox-merge --out merged.gridmap --quiet \
   --in "$source"/datasets/sena/robot_{a,c}.gridmap.gz
 [[ -s merged.gridmap ]] || fail "the command of the package merged nothing"
