@@ -25,7 +25,7 @@ ContestedCell contestedCell(const std::vector<MapLayer>& layers, int x, int y,
   ContestedCell cell;
   bool any_open = false;
   for (const MapLayer& layer : layers) {
-    const Evidence evidence = layer.at(x, y);
+    const CellEvidence evidence = layer.at(x, y);
     cell.net_free += std::max(evidence.net, 0);
     cell.net_occupied += std::min(evidence.net, 0);
     cell.most_free = std::max(cell.most_free, evidence.whole);

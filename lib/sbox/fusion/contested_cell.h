@@ -12,10 +12,10 @@ namespace sbox {
 /// What maps that disagree say about one merged cell. Only sums and extremes of whole numbers, so
 /// the order of the maps changes nothing.
 struct ContestedCell {
-  int net_free = 0;       ///< Sum of the positive Evidence::net.
-  int net_occupied = 0;   ///< Sum of the negative Evidence::net.
-  int most_free = 0;      ///< Greatest positive Evidence::whole.
-  int most_occupied = 0;  ///< Least negative Evidence::whole.
+  int net_free = 0;       ///< Sum of the positive CellEvidence::net.
+  int net_occupied = 0;   ///< Sum of the negative CellEvidence::net.
+  int most_free = 0;      ///< Greatest positive CellEvidence::whole.
+  int most_occupied = 0;  ///< Least negative CellEvidence::whole.
   /// One map says occupied, and another free with no occupied cell of its own within one cell
   /// around. That one cell lets two views of one wall lie a part of a cell apart without being
   /// called a conflict.

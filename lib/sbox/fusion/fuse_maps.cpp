@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/fusion/fuse_maps.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sbox/core/map.h"
+#include "sbox/core/map_limits.h"
 #include "sbox/core/state_grid.h"
 #include "sbox/fusion/placed_map.h"
 
@@ -22,9 +23,9 @@ enum class FusionRule {
 /// How maps are fused.
 struct FusionOptions {
   FusionRule rule = FusionRule::LogOdds;  ///< What maps that differ make of a cell.
-  StateOptions states;     ///< Which cells count as free and occupied, for Table 1 and conflicts.
-  double max_cells = 4e8;  ///< More merged cells than this are refused.
-  int threads = 1;         ///< 0: one a core. The result does not depend on it.
+  StateOptions states;  ///< Which cells count as free and occupied, for Table 1 and conflicts.
+  double max_cells = max_map_cells;  ///< More merged cells than this are refused.
+  int threads = 1;                   ///< 0: one a core. The result does not depend on it.
 };
 
 /// The fused map.
@@ -33,7 +34,7 @@ struct FusionResult {
   /// any map knows; a single unknown cell if none knows anything.
   Map merged;
   /// For each cell of `merged`, row by row, lowest row first: 1 where maps conflict (see
-  /// conflict.h).
+  /// contested_cell.h).
   std::vector<std::uint8_t> conflicts;
   std::size_t shared_cells = 0;    ///< Merged cells that two or more maps know.
   std::size_t conflict_cells = 0;  ///< Those of them where maps conflict.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/fusion/map_layer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -79,7 +80,7 @@ CellBox shrinkToKnown(const MapLayer& layer, CellBox box) {
 
 }  // namespace
 
-Evidence MapLayer::at(int x, int y) const {
+CellEvidence MapLayer::at(int x, int y) const {
   if (lattice_cells_per_cell == 0) {
     return sampler.at(warp.at(x, y));
   }

@@ -20,7 +20,7 @@ struct MapLayer {
   const Map* map = nullptr;  ///< Not owned.
 
   /// What the map says about lattice cell (x, y).
-  [[nodiscard]] Evidence at(int x, int y) const;
+  [[nodiscard]] CellEvidence at(int x, int y) const;
 };
 
 /// Lays a map on the lattice, its box being the hull of the lattice cells at which it knows

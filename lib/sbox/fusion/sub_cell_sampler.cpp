@@ -13,7 +13,7 @@ SubCellSampler::SubCellSampler(const Map& map, double neck_width)
       height_(map.height()),
       neck_half_(std::llround(neck_width * M_SQRT1_2 * static_cast<double>(kSubCellUnit))) {}
 
-Evidence SubCellSampler::at(const SubCell& place) const {
+CellEvidence SubCellSampler::at(const SubCell& place) const {
   const std::int64_t x = place.u >> 32, y = place.v >> 32;
   const int a = cellAt(x, y), b = cellAt(x + 1, y);
   const int c = cellAt(x, y + 1), d = cellAt(x + 1, y + 1);
@@ -24,7 +24,7 @@ Evidence SubCellSampler::at(const SubCell& place) const {
   return blend(place);
 }
 
-Evidence SubCellSampler::blend(const SubCell& place) const {
+CellEvidence SubCellSampler::blend(const SubCell& place) const {
   const std::int64_t x = place.u >> 32, y = place.v >> 32;
   const int a = cellAt(x, y), b = cellAt(x + 1, y);
   const int c = cellAt(x, y + 1), d = cellAt(x + 1, y + 1);

@@ -21,7 +21,7 @@ namespace sbox {
 using LogOdds = mrpt::maps::COccupancyGridMap2D::cellType;
 
 /// What a map says about a place, as MRPT's log-odds of being free; both 0 where it knows nothing.
-struct Evidence {
+struct CellEvidence {
   int whole = 0;  ///< Mean of the cells around that agree with the place's state.
   int net = 0;    ///< Mean of all known cells around, of whole's sign: weak beside a wall's edge.
 };
@@ -33,9 +33,9 @@ class SubCellSampler {
   SubCellSampler(const Map& map, double neck_width);
 
   /// The evidence at a place anywhere.
-  [[nodiscard]] Evidence at(const SubCell& place) const;
+  [[nodiscard]] CellEvidence at(const SubCell& place) const;
 
-  /// Its Evidence::whole, faster, where all four cells around the place are cells of the map:
+  /// Its CellEvidence::whole, faster, where all four cells around the place are cells of the map:
   /// insideLow() <= place < insideHigh().
   [[nodiscard]] int wholeInside(const SubCell& place) const {
     const LogOdds* cell = cells_ + (place.v >> 32) * stride_ + (place.u >> 32);
@@ -88,7 +88,7 @@ class SubCellSampler {
     return x < 0 || y < 0 || x >= width_ || y >= height_ ? 0 : cells_[y * stride_ + x];
   }
   /// The evidence at a place between cells that do not all have one sign.
-  [[nodiscard]] Evidence blend(const SubCell& place) const;
+  [[nodiscard]] CellEvidence blend(const SubCell& place) const;
   /// Whether a place whose nearest cell is not occupied lies on the neck between two occupied cells
   /// that touch at their corners.
   [[nodiscard]] bool onNeck(const SubCell& place) const;
