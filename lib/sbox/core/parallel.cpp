@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -27,8 +28,12 @@ void parallelFor(int count, int threads, const std::function<void(int)>& task) {
     }
   };
   std::vector<std::thread> helpers;
-  for (int i = 1; i < threads; ++i) {
-    helpers.emplace_back(work);
+  try {
+    for (int i = 1; i < threads; ++i) {
+      helpers.emplace_back(work);
+    }
+  } catch (const std::system_error&) {
+    // The system has no more threads to give: those that there are do the work.
   }
   work();
   for (std::thread& helper : helpers) {

@@ -6,9 +6,9 @@
 
 namespace sbox {
 
-/// Calls task(0) .. task(count - 1) on up to `threads` threads (0: one a core). Each task writes
-/// its own result only, so the outcome does not depend on timing. The exception of the task with
-/// the lowest index is thrown again once all have ended.
+/// Calls task(0) .. task(count - 1) on up to `threads` threads (0: one a core), or on fewer where
+/// the system starts no more. Each task writes its own result only, so the outcome does not depend
+/// on timing. The exception of the task with the lowest index is thrown again once all have ended.
 void parallelFor(int count, int threads, const std::function<void(int)>& task);
 
 }  // namespace sbox
