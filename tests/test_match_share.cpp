@@ -90,6 +90,13 @@ TEST_CASE("shares of other maps, other options or other numbers are refused by n
         "2 holds share 2/3, which another file holds, too");
   CHECK(refusal(maps, {}, {shares[0], matchShare(maps, {}, {1, 2})}) ==
         "1 holds share 1/2, but others are of 3");
+  const MatchedShare whole = matchShare(maps, {}, {1, 1});
+  for (const int number : {0, -1, 2}) {
+    std::vector<MatchedShare> numbered{whole, whole};
+    numbered[1].share.number = number;
+    CHECK(refusal(maps, {}, numbered) ==
+          "1 holds share " + std::to_string(number) + "/1, which there is not");
+  }
   MergeOptions other;
   other.pair.votes.bin = 0.7;
   CHECK(refusal(maps, other, shares) ==

@@ -69,6 +69,9 @@ void checkComplete(const std::vector<MatchedShare>& shares) {
       throw ShareError(i, "holds share " + name + ", but others are of " +
                               std::to_string(shares[0].share.count));
     }
+    if (share.number < 1 || share.number > share.count) {
+      throw ShareError(i, "holds share " + name + ", which there is not");
+    }
     if (!seen.insert(share.number).second) {
       throw ShareError(i, "holds share " + name + ", which another file holds, too");
     }
