@@ -49,6 +49,25 @@ TEST_CASE("two merged maps take one line") {
               "phi 12.34 deg (confidence 0.98)"});
 }
 
+TEST_CASE("merged maps that were not written have no file name") {
+  MergeResult two = results({"a.gridmap", "b.gridmap"});
+  two.pairs = {pairOf(0, 1, Verdict::Accepted, 0.98)};
+  two.merged.resize(1);
+  two.merged[0].members = {0, 1};
+  CHECK(summaryLines(two, {}) ==
+        Lines{"2 of 2 maps merged, b.gridmap in a.gridmap: x 0.000 m, y 0.000 m, phi 0.00 deg "
+              "(confidence 0.98)"});
+
+  MergeResult four = results({"a", "b", "c", "d"});
+  four.merged.resize(2);
+  four.merged[0].members = {0, 1};
+  four.merged[1].members = {2, 3};
+  four.merged[1].reference = 2;
+  CHECK(summaryLines(four, {"one.gridmap"}) ==
+        Lines{"one.gridmap: 2 of 4 maps merged in a", "b in a: x 0.000 m, y 0.000 m, phi 0.00 deg",
+              "2 of 4 maps merged in c", "d in c: x 0.000 m, y 0.000 m, phi 0.00 deg"});
+}
+
 TEST_CASE("two refused maps take one line with the best candidate") {
   MergeResult result = results({"a.gridmap", "b.gridmap"});
   result.pairs = {pairOf(0, 1, Verdict::Ambiguous, 0.4)};

@@ -62,6 +62,11 @@ const MapPair* bestPair(const MergeResult& result, int map) {
   return best;
 }
 
+/// "FILE: " for what was written there; nothing for what was not written.
+std::string fileText(const std::vector<std::string>& files, size_t merged) {
+  return merged < files.size() ? files[merged] + ": " : "";
+}
+
 std::string countText(size_t merged, const MergeResult& result) {
   return std::to_string(merged) + " of " + std::to_string(result.maps.size()) + " maps merged";
 }
@@ -101,14 +106,14 @@ std::vector<std::string> summaryLines(const MergeResult& result,
       return {countText(0, result) + ", " + pairText(result, result.pairs[0])};
     }
     const std::string place = groupLines(result, result.merged[0]).at(0);
-    return {merged_files.at(0) + ": " + countText(2, result) + ", " + place + " (" +
+    return {fileText(merged_files, 0) + countText(2, result) + ", " + place + " (" +
             confidenceText(result.pairs[0].result.confidence) + ")"};
   }
   std::vector<std::string> lines;
   std::vector<bool> told(result.maps.size(), false);
   for (size_t i = 0; i < result.merged.size(); ++i) {
     const MergedGroup& group = result.merged[i];
-    lines.push_back(merged_files.at(i) + ": " + countText(group.members.size(), result) + " in " +
+    lines.push_back(fileText(merged_files, i) + countText(group.members.size(), result) + " in " +
                     result.maps[static_cast<size_t>(group.reference)].name);
     for (const std::string& line : groupLines(result, group)) {
       lines.push_back(line);

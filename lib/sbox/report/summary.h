@@ -16,7 +16,8 @@ namespace sbox {
 [[nodiscard]] std::string poseText(const Pose2D& pose);
 
 /// What was merged, then for each map where it lies or why it is left out. Two maps take one line;
-/// more take a line each. `merged_files` name result.merged.
+/// more take a line each. `merged_files` are the names under which result.merged was written, in
+/// its order; they may be fewer.
 [[nodiscard]] std::vector<std::string> summaryLines(const MergeResult& result,
                                                     const std::vector<std::string>& merged_files);
 
