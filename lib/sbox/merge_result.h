@@ -13,6 +13,7 @@
 
 namespace sbox {
 
+/// How many of the maps were merged.
 enum class MergeStatus {
   Merged,  ///< Every map is part of the merged map.
   Partly,  ///< Some are; they are merged.

@@ -55,6 +55,7 @@ struct EvidenceWeights {
   double straight_from = 0;           ///< See EvidenceOptions::straight_from.
 };
 
+/// As `most_points`: asks all of them.
 constexpr size_t kAllPoints = std::numeric_limits<size_t>::max();
 
 /// Asks the first `most_points` wall points (and as many free points) of each map; sums are scaled

@@ -7,8 +7,8 @@
 
 namespace sbox {
 
-/// Lists the options of the default method in sections "features...", "matching..." and
-/// "verification...".
+/// Adds the options of the default method, in sections "features*", "matching.*", "verification*"
+/// and "refinement*".
 void describe(PairOptions& options, OptionTable& table);
 
 }  // namespace sbox

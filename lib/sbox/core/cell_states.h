@@ -32,6 +32,7 @@ struct KnownPart {
   int height = 0;   ///< Its rows.
 };
 
+/// The known part of a map, by these states.
 [[nodiscard]] KnownPart knownPart(const Map& map, const CellStates& states);
 
 /// Lower-left corner of the part, in the map frame, along the grid's axes.

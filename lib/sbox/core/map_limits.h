@@ -10,8 +10,9 @@ namespace sbox {
 inline constexpr std::int64_t max_map_cells = 400'000'000;
 /// Most cells of a row or a column; keeps MRPT's extents in floats exact to a part of a cell.
 inline constexpr std::int64_t max_map_side = 1'000'000;
-/// Smallest and largest edge length of a cell, in metres.
+/// Smallest edge length of a cell, in metres.
 inline constexpr double min_resolution = 1e-3;
+/// Largest edge length of a cell, in metres.
 inline constexpr double max_resolution = 100;
 
 /// Farthest that a map may lie from the zero of its frame, in metres: what a double still holds to

@@ -14,6 +14,7 @@ namespace sbox {
 /// Indices of two maps, the lower first.
 using PairIndex = std::pair<int, int>;
 
+/// What may be done with the transform of a pair.
 enum class Verdict {
   Accepted,   ///< The transform is right with high probability.
   Ambiguous,  ///< Two distinct transforms explain the maps about as well.

@@ -15,6 +15,7 @@
 
 namespace sbox {
 
+/// How evidence of several maps for one cell is joined.
 enum class FusionRule {
   Table,   ///< The paper's Table 1; see table_rule.h.
   LogOdds  ///< Sum of the log-odds; see log_odds_rule.h.

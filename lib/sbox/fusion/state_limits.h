@@ -13,6 +13,7 @@ struct StateLimits {
   int occupied_to = -1;  ///< Log-odds of a cell that is just occupied.
 };
 
+/// The limits for these probabilities.
 [[nodiscard]] StateLimits stateLimits(const StateOptions& options);
 
 }  // namespace sbox

@@ -18,6 +18,7 @@
 
 namespace sbox {
 
+/// A cell of MRPT's grids: log-odds of being free.
 using LogOdds = mrpt::maps::COccupancyGridMap2D::cellType;
 
 /// What a map says about a place, as MRPT's log-odds of being free; both 0 where it knows nothing.

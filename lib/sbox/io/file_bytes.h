@@ -8,6 +8,7 @@
 
 namespace sbox {
 
+/// What a file holds.
 using Bytes = std::vector<std::uint8_t>;
 
 /// Size in bytes of a file that can be read. Throws FileError if it is missing, unreadable, empty

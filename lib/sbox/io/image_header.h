@@ -12,6 +12,7 @@
 
 namespace sbox {
 
+/// Kinds of image that are decoded in different ways.
 enum class ImageKind { Png, Pnm, Other };
 
 /// What the first bytes claim.

@@ -16,9 +16,11 @@ struct LoadOptions {
   std::optional<double> resolution;
 };
 
-/// Reads a map by the extension of its file: .gridmap and .gridmap.gz (MRPT), .yaml and .yml (ROS,
-/// with the image it names), or an image alone. The name of the map is the path as given. Throws
-/// FileError if the file cannot be used; the memory taken is bounded by what the file really holds.
+/// Reads a map by the extension of its file: .gridmap and .gridmap.gz (MRPT), .simplemap and
+/// .simplemap.gz (MRPT, whose scans are mapped by the default MappingOptions), .yaml and .yml (ROS,
+/// with the image it names), or an image alone (see isImagePath). The name of the map is the path
+/// as given. Throws FileError if the file cannot be used; the memory taken is bounded by what the
+/// file really holds, but for simplemaps, which MRPT reads.
 [[nodiscard]] Map loadMap(const std::string& path, const LoadOptions& options = {});
 
 }  // namespace sbox

@@ -12,6 +12,7 @@
 
 namespace sbox {
 
+/// How the shades of an image are read; `mode` of its .yaml.
 enum class RosMode {
   Trinary,  ///< Occupied, free or unknown.
   Scale,    ///< As Trinary, but shades between the thresholds are probabilities; transparent is
@@ -34,6 +35,7 @@ struct RosShading {
 /// so where free_thresh is above 0.196, such as nav2's own default 0.25.
 [[nodiscard]] int rosOccupancy(double shade, const RosShading& shading);
 
+/// What rosOccupancy() gives for an unknown cell.
 inline constexpr int ros_unknown = -1;
 
 /// MRPT's cell for an occupancy in percent. Free and occupied become probabilities of 0.99 and 0.01

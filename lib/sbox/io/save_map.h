@@ -9,8 +9,8 @@
 
 namespace sbox {
 
-/// Writes a map by the extension of the path: .gridmap or .gridmap.gz (MRPT), .yaml (ROS, with a
-/// .pgm of the same stem beside it), or .png or .pgm (a picture, which holds no pose).
+/// Writes a map by the extension of the path: .gridmap or .gridmap.gz (MRPT), .yaml or .yml (ROS,
+/// with a .pgm of the same stem beside it), or .png or .pgm (a picture, which holds no pose).
 ///
 /// What is kept: MRPT's files keep the cells bit for bit but resample a map with yaw (see
 /// gridmap_file.h); ROS's keep the pose exactly and the state of each cell (see ros_map_file.h).

@@ -8,10 +8,12 @@
 
 namespace sbox {
 
-/// A transform that features proposed, before the cells were asked.
+/// A transform that was proposed, before all cells were asked.
 struct Hypothesis {
   RigidTransform b_in_a;  ///< From map b to map a.
-  double votes = 0;       ///< Weights of the features that proposed it, summed.
+  /// What speaks for it, to be compared within one list only: by voteForTransforms() the summed
+  /// weights of the features that proposed it, by searchByCorrelation() its plausibility.
+  double votes = 0;
 };
 
 }  // namespace sbox

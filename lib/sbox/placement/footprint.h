@@ -45,6 +45,8 @@ struct PoseGap {
   double distance = 0;  ///< Mean of how far they put the middles of the two maps apart, metres.
   double turn = 0;      ///< Between their headings, radians, >= 0.
 };
+
+/// The gap between two poses of map b in map a.
 [[nodiscard]] PoseGap gapBetween(const Footprint& a, const Footprint& b, const Pose2D& pose_b_in_a,
                                  const Pose2D& other_b_in_a);
 

@@ -21,11 +21,13 @@ struct VerdictOptions {
   double rival_conflict = 0.02;  ///< Share of it that conflicts, at most.
 };
 
-/// The verdict on the best of judged fits, and the reason in words.
+/// What was decided of a pair.
 struct Verdicted {
   Verdict verdict = Verdict::Rejected;  ///< On the best fit.
   std::string reason;                   ///< One sentence.
 };
+
+/// The verdict on the best of judged fits (see judge()), and the reason in words.
 [[nodiscard]] Verdicted decide(const std::vector<Fit>& fits, const VerdictOptions& options = {});
 
 }  // namespace sbox

@@ -13,6 +13,7 @@
 
 namespace sbox {
 
+/// The samples that a legend can show.
 enum class Swatch { Area, Line, Dot, Box, Ring };
 
 /// A line of the legend: what is drawn so means this.

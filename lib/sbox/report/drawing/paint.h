@@ -14,12 +14,14 @@
 
 namespace sbox {
 
+/// The corners of a box in order, in metres.
 using BoxCorners = std::array<Point2D, 4>;
 
 /// The cells of a map alone: free white, walls in the given colour, the rest in the quiet grey.
 [[nodiscard]] cv::Mat paintCells(const StateGrid& grid, const PlotView& view,
                                  const palette::Colour& wall);
 
+/// A line, `width` pixels wide.
 void paintLine(cv::Mat& plot, const PlotView& view, const Point2D& from, const Point2D& to,
                const palette::Colour& colour, int width);
 
@@ -27,6 +29,7 @@ void paintLine(cv::Mat& plot, const PlotView& view, const Point2D& from, const P
 void paintDot(cv::Mat& plot, const PlotView& view, const Point2D& centre,
               const palette::Colour& colour, int radius);
 
+/// The four sides of a box, `width` pixels wide.
 void paintBoxOutline(cv::Mat& plot, const PlotView& view, const BoxCorners& box,
                      const palette::Colour& colour, int width);
 

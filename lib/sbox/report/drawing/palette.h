@@ -42,6 +42,7 @@ inline const std::array<Colour, 7> distinct{blue,
                                             Colour{0, 140, 200},
                                             Colour{90, 90, 90}};
 
+/// The colour as OpenCV's functions take it.
 inline cv::Scalar scalar(const Colour& colour) {
   return {1. * colour[0], 1. * colour[1], 1. * colour[2]};
 }
