@@ -16,8 +16,14 @@ if(SBOX_BUILD_SLAM)
 endif()
 install(DIRECTORY lib/sbox/slam/settings/ DESTINATION "${CMAKE_INSTALL_DATADIR}/sbox"
         COMPONENT commands FILES_MATCHING PATTERN "*.ini")
+# Without those that speak of OpenCV and nlohmann_json, which users of the library need not have.
+set(own_headers REGEX "/report/(drawing|html)$" EXCLUDE
+                REGEX "/(overlay_layers|json_layout|pair_json|[a-z]+_picture)\\.h$" EXCLUDE)
+if(NOT SBOX_BUILD_SLAM)
+  list(APPEND own_headers REGEX "/slam$" EXCLUDE)
+endif()
 install(DIRECTORY lib/sbox DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT dev
-        FILES_MATCHING PATTERN "*.h")
+        FILES_MATCHING PATTERN "*.h" ${own_headers} REGEX "/settings$" EXCLUDE)
 install(EXPORT sbox-targets NAMESPACE sbox:: DESTINATION "${package_dir}" COMPONENT dev)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/sbox-config.cmake"
               "${CMAKE_CURRENT_BINARY_DIR}/sbox-config-version.cmake"

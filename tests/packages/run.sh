@@ -44,6 +44,24 @@ for file in include/sbox/merge.h lib/cmake/sbox/sbox-config.cmake share/doc/libs
 done
 [[ ! -e library/usr/bin ]] || fail "libsbox-dev holds commands"
 
+# All headers of the library compile together, with nothing but what its CMake package asks for.
+component=""
+if [[ -e library/usr/lib/cmake/sbox/sbox-slam-targets.cmake ]]; then
+  component=slam
+fi
+mkdir headers
+(cd library/usr/include && find sbox -name '*.h' | sort | sed 's/.*/#include <&>/') > headers/all.cpp
+cat > headers/CMakeLists.txt << END
+cmake_minimum_required(VERSION 3.18)
+project(headers LANGUAGES CXX)
+find_package(sbox REQUIRED COMPONENTS $component)
+add_library(headers OBJECT all.cpp)
+target_link_libraries(headers PRIVATE sbox::${component:-sbox})
+END
+cmake -G Ninja -S headers -B headers/build -DCMAKE_PREFIX_PATH="$scratch/library/usr" \
+  --log-level=WARNING
+cmake --build headers/build || fail "the headers of libsbox-dev do not compile together"
+
 # Every package that the library's CMake package looks for comes with it.
 depends=$(dpkg-deb --field "${library[0]}" Depends)
 while read -r wanted; do
