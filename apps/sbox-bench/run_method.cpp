@@ -9,8 +9,8 @@
 #include "sbox-bench/progress_bar.h"
 #include "sbox-bench/statistics.h"
 #include "sbox/core/parallel.h"
+#include "sbox/core/stopwatch.h"
 #include "sbox/io/load_map.h"
-#include "sbox/stopwatch.h"
 
 namespace sbox::bench {
 namespace {

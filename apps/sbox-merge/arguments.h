@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sbox/match_share.h"
-#include "sbox/merge.h"
+#include "sbox/merge_options.h"
 #include "sbox/slam/run_slam.h"
 
 namespace sbox::app {

@@ -8,7 +8,7 @@
 #include "sbox-merge/arguments.h"
 #include "sbox/core/key_frame.h"
 #include "sbox/core/map.h"
-#include "sbox/progress.h"
+#include "sbox/core/progress.h"
 
 namespace sbox::app {
 

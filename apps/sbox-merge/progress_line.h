@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "sbox/stopwatch.h"
+#include "sbox/core/stopwatch.h"
 
 namespace sbox::app {
 

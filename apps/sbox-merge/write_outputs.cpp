@@ -7,6 +7,7 @@
 #include "sbox-merge/interrupt.h"
 #include "sbox-merge/output_names.h"
 #include "sbox/core/parallel.h"
+#include "sbox/core/stopwatch.h"
 #include "sbox/io/file_bytes.h"
 #include "sbox/io/file_error.h"
 #include "sbox/io/output_files.h"
@@ -19,7 +20,6 @@
 #include "sbox/report/report_html.h"
 #include "sbox/report/report_json.h"
 #include "sbox/report/tf_text.h"
-#include "sbox/stopwatch.h"
 
 namespace sbox::app {
 namespace fs = std::filesystem;

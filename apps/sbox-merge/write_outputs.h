@@ -7,8 +7,8 @@
 
 #include "sbox-merge/arguments.h"
 #include "sbox-merge/load_inputs.h"
+#include "sbox/core/progress.h"
 #include "sbox/merge_result.h"
-#include "sbox/progress.h"
 
 namespace sbox::app {
 

@@ -15,8 +15,8 @@
 
 #include "sbox-paper/answers.h"
 #include "sbox-paper/page/sections.h"
+#include "sbox/core/stopwatch.h"
 #include "sbox/io/output_files.h"
-#include "sbox/stopwatch.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "sbox/stopwatch.h"
+#include "sbox/core/stopwatch.h"
 
 namespace sbox::scale {
 

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "sbox/core/map.h"
+#include "sbox/core/progress.h"
 #include "sbox/method_features.h"
 #include "sbox/placement/footprint.h"
 #include "sbox/placement/map_pair.h"
-#include "sbox/progress.h"
 
 namespace sbox {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "sbox/stopwatch.h"
+#include "sbox/core/stopwatch.h"
 
 namespace sbox {
 namespace {

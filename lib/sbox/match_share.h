@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "sbox/core/map.h"
+#include "sbox/core/progress.h"
 #include "sbox/match_all.h"
 #include "sbox/merge_options.h"
-#include "sbox/progress.h"
 
 namespace sbox {
 

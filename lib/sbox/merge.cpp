@@ -8,8 +8,8 @@
 
 #include "sbox/bending/bend_maps.h"
 #include "sbox/core/parallel.h"
+#include "sbox/core/stopwatch.h"
 #include "sbox/placement/place_maps.h"
-#include "sbox/stopwatch.h"
 
 namespace sbox {
 namespace {

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "sbox/core/map.h"
+#include "sbox/core/progress.h"
 #include "sbox/match_all.h"
 #include "sbox/merge_options.h"
 #include "sbox/merge_result.h"
-#include "sbox/progress.h"
 
 namespace sbox {
 

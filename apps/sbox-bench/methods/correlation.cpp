@@ -8,7 +8,7 @@
 
 #include "sbox-bench/methods/hough_spectrum.h"
 #include "sbox/core/state_grid.h"
-#include "sbox/stopwatch.h"
+#include "sbox/core/stopwatch.h"
 
 namespace sbox::bench {
 namespace {

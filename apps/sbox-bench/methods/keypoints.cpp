@@ -7,7 +7,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "sbox/core/state_grid.h"
-#include "sbox/stopwatch.h"
+#include "sbox/core/stopwatch.h"
 
 namespace sbox::bench {
 namespace {

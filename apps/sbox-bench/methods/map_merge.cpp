@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "sbox/stopwatch.h"
+#include "sbox/core/stopwatch.h"
 
 namespace sbox::bench {
 namespace {

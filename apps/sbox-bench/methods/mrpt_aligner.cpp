@@ -14,7 +14,7 @@
 #include <memory>
 #include <string>
 
-#include "sbox/stopwatch.h"
+#include "sbox/core/stopwatch.h"
 
 namespace sbox::bench {
 namespace {

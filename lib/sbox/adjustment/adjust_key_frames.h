@@ -13,8 +13,8 @@
 #include "sbox/adjustment/overlapping_frames.h"
 #include "sbox/adjustment/scan_points.h"
 #include "sbox/core/key_frame.h"
+#include "sbox/core/progress.h"
 #include "sbox/fusion/join_key_frames.h"
-#include "sbox/progress.h"
 
 namespace sbox {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "sbox/merge.h"
+#include "sbox/merge_options.h"
 
 namespace sbox {
 

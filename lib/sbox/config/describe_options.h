@@ -3,7 +3,7 @@
 #pragma once
 
 #include "sbox/config/option_table.h"
-#include "sbox/merge.h"
+#include "sbox/merge_options.h"
 
 namespace sbox {
 

@@ -9,8 +9,8 @@
 #include <sstream>
 #include <utility>
 
+#include "sbox/core/stopwatch.h"
 #include "sbox/paper/kalman_step.h"
-#include "sbox/stopwatch.h"
 
 namespace sbox {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "sbox/core/map.h"
+#include "sbox/core/progress.h"
 #include "sbox/merge_result.h"
-#include "sbox/progress.h"
 
 namespace sbox {
 

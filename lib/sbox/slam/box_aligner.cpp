@@ -16,8 +16,8 @@
 #include <utility>
 #include <vector>
 
+#include "sbox/core/stopwatch.h"
 #include "sbox/match_maps.h"
-#include "sbox/stopwatch.h"
 
 namespace sbox {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "sbox/core/feature_set.h"
 #include "sbox/core/pair_result.h"
-#include "sbox/merge.h"
+#include "sbox/merge_options.h"
 
 namespace sbox {
 

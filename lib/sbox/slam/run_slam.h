@@ -9,7 +9,7 @@
 #include <string>
 
 #include "sbox/core/key_frame.h"
-#include "sbox/progress.h"
+#include "sbox/core/progress.h"
 #include "sbox/slam/scan_log.h"
 
 namespace sbox {
