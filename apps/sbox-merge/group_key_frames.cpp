@@ -3,11 +3,10 @@
 #include "sbox-merge/group_key_frames.h"
 
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
 #include <utility>
 
 #include "sbox/adjustment/map_adjusted.h"
+#include "sbox/core/number_text.h"
 #include "sbox/fusion/join_key_frames.h"
 
 namespace sbox::app {
@@ -24,12 +23,10 @@ std::vector<PlacedKeyFrames> placedKeyFrames(const Inputs& inputs, const MergeRe
 }
 
 std::string describe(const AdjustedMap& made) {
-  std::ostringstream line;
-  line << std::fixed << std::setprecision(1) << "key frames "
-       << (made.adjusted ? "adjusted: " : "left as they were: ") << 100 * made.agreement
-       << " % of what the scans saw lies on walls of the map, " << 100 * made.joined_agreement
-       << " % as the maps were placed";
-  return line.str();
+  return std::string("key frames ") + (made.adjusted ? "adjusted: " : "left as they were: ") +
+         fixedDigits(100 * made.agreement, 1) +
+         " % of what the scans saw lies on walls of the map, " +
+         fixedDigits(100 * made.joined_agreement, 1) + " % as the maps were placed";
 }
 
 }  // namespace

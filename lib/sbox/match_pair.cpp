@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 
+#include "sbox/core/number_text.h"
 #include "sbox/core/stopwatch.h"
 
 namespace sbox {
@@ -43,9 +43,7 @@ void multiplyOddsOfFirst(std::vector<Fit>& fits, double factor) {
 }
 
 std::string describeDifference(double metres) {
-  char text[80];
-  std::snprintf(text, sizeof text, "; the Kalman step and Ceres differ by %.1f m", metres);
-  return text;
+  return "; the Kalman step and Ceres differ by " + fixedDigits(metres, 1) + " m";
 }
 
 PairResult matchInOrder(const MapFeatures& a, const MapFeatures& b, const PairOptions& options,

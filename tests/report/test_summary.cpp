@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "catch.h"
-#include "sbox/report/fixed_digits.h"
 #include "sbox/report/summary.h"
 
 using namespace sbox;
@@ -31,12 +30,6 @@ MapPair pairOf(int a, int b, Verdict verdict, double confidence) {
 }
 
 }  // namespace
-
-TEST_CASE("numbers are rounded and never minus zero") {
-  CHECK(fixedDigits(-0.0004, 3) == "0.000");
-  CHECK(fixedDigits(-0.0006, 3) == "-0.001");
-  CHECK(fixedDigits(12.5, 0) == "13");
-}
 
 TEST_CASE("two merged maps take one line") {
   MergeResult result = results({"a.gridmap", "b.gridmap"});

@@ -7,7 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "sbox/io/number_text.h"
+#include "sbox/core/number_text.h"
 
 namespace sbox {
 namespace {

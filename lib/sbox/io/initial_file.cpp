@@ -9,9 +9,9 @@
 #include <optional>
 #include <sstream>
 
+#include "sbox/core/number_text.h"
 #include "sbox/io/file_bytes.h"
 #include "sbox/io/file_error.h"
-#include "sbox/io/number_text.h"
 
 namespace sbox {
 namespace {

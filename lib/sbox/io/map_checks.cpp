@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "sbox/core/number_text.h"
 #include "sbox/io/file_error.h"
-#include "sbox/io/number_text.h"
 
 namespace sbox {
 

@@ -9,11 +9,11 @@
 #include <string_view>
 #include <utility>
 
+#include "sbox/core/number_text.h"
 #include "sbox/io/file_bytes.h"
 #include "sbox/io/file_error.h"
 #include "sbox/io/flat_yaml.h"
 #include "sbox/io/map_checks.h"
-#include "sbox/io/number_text.h"
 
 namespace sbox {
 namespace {

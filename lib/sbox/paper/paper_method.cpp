@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <sstream>
+#include <string>
 #include <utility>
 
+#include "sbox/core/number_text.h"
 #include "sbox/core/stopwatch.h"
 #include "sbox/paper/kalman_step.h"
 
@@ -74,15 +75,13 @@ PaperFeatures extract(StateGrid states, const PaperOptions& options) {
 
 std::string countOf(const std::optional<BestPair>& best, const PaperFeatures& a,
                     const PaperFeatures& b, const BestPairOptions& options) {
-  std::ostringstream text;
   if (!best) {
-    text << "no box of one map fits one of the other (" << a.boxes.size() << " and "
-         << b.boxes.size() << " boxes)";
-  } else {
-    text << best->agreement.matches.size() << " other pairs of boxes agree with the best pair, "
-         << options.min_agreeing << " are needed";
+    return "no box of one map fits one of the other (" + std::to_string(a.boxes.size()) + " and " +
+           std::to_string(b.boxes.size()) + " boxes)";
   }
-  return text.str();
+  return std::to_string(best->agreement.matches.size()) +
+         " other pairs of boxes agree with the best pair, " + std::to_string(options.min_agreeing) +
+         " are needed";
 }
 
 PairResult matchEqualCells(const PaperFeatures& a, const PaperFeatures& b,
@@ -162,10 +161,10 @@ PairResult matchPaper(const PaperFeatures& a, const PaperFeatures& b, const Pape
     }
   }
   result.matched_boxes = std::move(matched);
-  std::ostringstream note;
-  note << "; the " << (a_is_coarser ? "first" : "second") << " map was resampled from "
-       << std::max(cell_a, cell_b) << " m to " << std::min(cell_a, cell_b) << " m cells";
-  result.reason += note.str();
+  const auto metres = [](double cell) { return numberText(static_cast<float>(cell)) + " m"; };
+  result.reason += std::string("; the ") + (a_is_coarser ? "first" : "second") +
+                   " map was resampled from " + metres(std::max(cell_a, cell_b)) + " to " +
+                   metres(std::min(cell_a, cell_b)) + " cells";
   return result;
 }
 

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "sbox/io/number_text.h"
+#include "sbox/core/number_text.h"
 
 namespace sbox {
 namespace {

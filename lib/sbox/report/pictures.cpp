@@ -9,12 +9,12 @@
 #include <opencv2/core.hpp>
 #include <set>
 
+#include "sbox/core/number_text.h"
 #include "sbox/core/parallel.h"
 #include "sbox/core/state_grid.h"
 #include "sbox/report/boxes_picture.h"
 #include "sbox/report/drawing/figure.h"
 #include "sbox/report/features_picture.h"
-#include "sbox/report/fixed_digits.h"
 #include "sbox/report/map_picture.h"
 #include "sbox/report/overlay_picture.h"
 #include "sbox/report/pairs_to_show.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sbox/report/fixed_digits.h"
+#include "sbox/core/number_text.h"
 
 namespace sbox {
 namespace {

@@ -7,7 +7,7 @@
 #include <iterator>
 #include <vector>
 
-#include "sbox/report/fixed_digits.h"
+#include "sbox/core/number_text.h"
 #include "sbox/report/short_names.h"
 
 namespace sbox {

@@ -3,39 +3,39 @@
 #include "sbox/verification/verdict.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <string>
 
+#include "sbox/core/number_text.h"
 #include "sbox/verification/verdict_model.h"
 
 namespace sbox {
 namespace {
 
-std::string text(const char* format, double first, double second = 0, double third = 0) {
-  char buffer[240];
-  std::snprintf(buffer, sizeof buffer, format, first, second, third);
-  return buffer;
-}
+/// What makes the reason for a refusal, the first that holds.
+constexpr double kFewAgree = 0.6;       ///< Less of the common wall than this agrees.
+constexpr double kLeastCrossWall = 4;   ///< Fewer metres of agreeing wall run across the others.
+constexpr double kMuchConflict = 0.12;  ///< More of the common wall than this conflicts.
+/// Of the wall that agrees under the best fit, what a rival must have at least.
+constexpr double kRivalSize = 0.5;
 
 std::string describeAgreement(const Evidence& evidence) {
-  return text("%.0f m of wall agree, %.0f %% of what lies in the common area, and %.1f m conflict",
-              evidence.agree, 100 * evidence.agree / std::max(evidence.known, 1e-9),
-              evidence.conflict);
+  const double share = evidence.agree / std::max(evidence.known, 1e-9);
+  return fixedDigits(evidence.agree, 0) + " m of wall agree, " + fixedDigits(100 * share, 0) +
+         " % of what lies in the common area, and " + fixedDigits(evidence.conflict, 1) +
+         " m conflict";
 }
 
 std::string whyNot(const Fit& best) {
   const Evidence& bent = best.bent_evidence;
   const std::string found = describeAgreement(bent);
-  if (bent.agree < 0.6 * bent.known) {
+  if (bent.agree < kFewAgree * bent.known) {
     return "too few walls agree: " + found;
   }
-  if (crossWall(bent) < 4) {
-    return text(
-               "nothing fixes the shift along the walls: only %.1f m of agreeing wall run across "
-               "the others; ",
-               crossWall(bent)) +
-           found;
+  if (crossWall(bent) < kLeastCrossWall) {
+    return "nothing fixes the shift along the walls: only " + fixedDigits(crossWall(bent), 1) +
+           " m of agreeing wall run across the others; " + found;
   }
-  if (bent.conflict > 0.12 * bent.known) {
+  if (bent.conflict > kMuchConflict * bent.known) {
     return "too much wall stands where the other map saw free space: " + found;
   }
   return "too little in common to be sure: " + found;
@@ -48,7 +48,7 @@ bool hasNothingAgainst(const Fit& rival, const Fit& best, const VerdictOptions& 
   return rival.probability >= options.rival_from &&
          evidence.agree > options.rival_agree * evidence.known &&
          evidence.conflict < options.rival_conflict * evidence.known &&
-         evidence.agree > 0.5 * best.evidence.agree;
+         evidence.agree > kRivalSize * best.evidence.agree;
 }
 
 }  // namespace
@@ -69,11 +69,10 @@ Verdicted decide(const std::vector<Fit>& fits, const VerdictOptions& options) {
     any += fit.probability;
   }
   if (fits.size() > 1 && any >= options.accept_from) {
-    return {Verdict::Ambiguous,
-            text("another transform explains the maps about as well (probability %.2f beside "
-                 "%.2f): ",
-                 fits[1].probability, best.probability) +
-                describeAgreement(best.bent_evidence)};
+    return {Verdict::Ambiguous, "another transform explains the maps about as well (probability " +
+                                    fixedDigits(fits[1].probability, 2) + " beside " +
+                                    fixedDigits(best.probability, 2) +
+                                    "): " + describeAgreement(best.bent_evidence)};
   }
   return {Verdict::Rejected, whyNot(best)};
 }

@@ -8,8 +8,8 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "sbox/core/number_text.h"
 #include "sbox/report/drawing/text.h"
-#include "sbox/report/fixed_digits.h"
 
 namespace sbox {
 namespace {

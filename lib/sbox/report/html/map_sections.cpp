@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/report/html/map_sections.h"
 
+#include "sbox/core/number_text.h"
 #include "sbox/report/drawing/palette.h"
-#include "sbox/report/fixed_digits.h"
 #include "sbox/report/html/html_text.h"
 #include "sbox/report/html/pose_table.h"
 #include "sbox/report/html/stage.h"

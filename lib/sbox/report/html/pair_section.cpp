@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sbox/report/fixed_digits.h"
+#include "sbox/core/number_text.h"
 #include "sbox/report/html/html_text.h"
 #include "sbox/report/html/pose_table.h"
 #include "sbox/report/html/stage.h"

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/report/html/pose_table.h"
 
+#include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
-#include "sbox/report/fixed_digits.h"
+#include "sbox/core/number_text.h"
 
 namespace sbox::html {
 namespace {
@@ -26,12 +25,6 @@ std::string cell(double value, double deviation, int digits, const std::string& 
   return "<td class=\"number\">" + fixedDigits(value, digits) + sure + " " + unit + "</td>";
 }
 
-std::string scientific(double value) {
-  std::ostringstream out;
-  out << std::scientific << std::setprecision(2) << (value == 0 ? 0.0 : value);
-  return out.str();
-}
-
 std::string covarianceTable(const PoseCovariance& covariance) {
   std::string text =
       "<details><summary>Covariance of (x, y, phi) in m&sup2;, m rad and rad&sup2;</summary>"
@@ -39,7 +32,7 @@ std::string covarianceTable(const PoseCovariance& covariance) {
   for (int row = 0; row < 3; ++row) {
     text += "<tr>";
     for (int column = 0; column < 3; ++column) {
-      text += "<td class=\"number\">" + scientific(covariance(row, column)) + "</td>";
+      text += "<td class=\"number\">" + scientificDigits(covariance(row, column), 2) + "</td>";
     }
     text += "</tr>";
   }

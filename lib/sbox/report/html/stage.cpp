@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "sbox/report/fixed_digits.h"
+#include "sbox/core/number_text.h"
 #include "sbox/report/html/html_text.h"
 
 namespace sbox::html {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Numbers as text, the same in every locale and exact both ways.
+// Numbers as text, the same in every locale.
 #pragma once
 
 #include <optional>
@@ -17,6 +17,12 @@ namespace sbox {
 
 /// The shortest such text without an exponent, which PyYAML takes for a word ("1e-07").
 [[nodiscard]] std::string plainNumberText(double value);
+
+/// `value` with `digits` decimals, for people; never "-0".
+[[nodiscard]] std::string fixedDigits(double value, int digits);
+
+/// `value` with an exponent and `digits` decimals before it, for people.
+[[nodiscard]] std::string scientificDigits(double value, int digits);
 
 /// The number that the whole text spells, or nothing. Accepts a leading "+"; NaN and infinity are
 /// no numbers here.
