@@ -8,7 +8,6 @@
 #include "sbox-merge/output_names.h"
 #include "sbox/core/parallel.h"
 #include "sbox/core/stopwatch.h"
-#include "sbox/io/file_bytes.h"
 #include "sbox/io/file_error.h"
 #include "sbox/io/output_files.h"
 #include "sbox/io/path_extension.h"
@@ -25,31 +24,13 @@ namespace sbox::app {
 namespace fs = std::filesystem;
 namespace {
 
-void stageBytes(OutputFiles& files, const std::string& target, const Bytes& bytes) {
-  const std::string temporary = files.stage(target);
-  try {
-    writeFile(temporary, bytes);
-  } catch (const FileError& error) {
-    throw FileError(target, error.reason());
-  }
-}
-
-void stageText(OutputFiles& files, const std::string& target, const std::string& text) {
-  stageBytes(files, target, Bytes(text.begin(), text.end()));
-}
-
 std::string tfText(const MergeResult& result, const std::string& file) {
   const std::string extension = pathExtension(file);
   return extension == ".yaml" || extension == ".yml" ? tfYaml(result) : tfScript(result);
 }
 
 void stageKeyFrames(OutputFiles& files, const std::string& target, const KeyFrames& key_frames) {
-  const std::string temporary = files.stage(target);
-  try {
-    saveKeyFrames(key_frames, temporary);
-  } catch (const FileError& error) {
-    throw FileError(target, error.reason());
-  }
+  files.write(target, [&](const std::string& temporary) { saveKeyFrames(key_frames, temporary); });
   checkInterrupt();
 }
 
@@ -69,6 +50,44 @@ void stageSlamMaps(OutputFiles& files, const Inputs& inputs, const Arguments& ar
       saveMap(inputs.maps[i], stems[i] + ".gridmap", files);
       saveMap(inputs.maps[i], stems[i] + ".png", files);
       stageKeyFrames(files, stems[i] + ".simplemap", inputs.key_frames[i]);
+    }
+  }
+}
+
+/// Each merged map and the picture beside it.
+void stageMergedMaps(OutputFiles& files, const std::vector<std::string>& map_files,
+                     const Arguments& arguments, const MergeResult& result,
+                     const ProgressFunction& tell) {
+  const int count = 2 * static_cast<int>(map_files.size());
+  StageProgress progress(tell, "maps written", count);
+  parallelFor(count, arguments.merge.threads, [&](int i) {
+    progress.partBegins();
+    const auto group = static_cast<size_t>(i / 2);
+    const std::string& file = map_files[group];
+    saveMap(result.merged[group].map, i % 2 == 0 ? file : pictureBeside(file), files);
+    progress.partDone();
+  });
+}
+
+void stagePictures(OutputFiles& files, const std::vector<std::string>& map_files,
+                   const std::vector<Map>& maps, const Arguments& arguments,
+                   const MergeResult& result, const ProgressFunction& tell) {
+  for (const Picture& picture : drawPictures(maps, result, arguments.merge.threads, tell)) {
+    files.writeBytes(pictureInFolder(arguments.pictures, picture.file_name, map_files),
+                     picture.png);
+    checkInterrupt();
+  }
+}
+
+/// As transforms of ROS and as a graph, where asked for.
+void stagePoses(OutputFiles& files, const Arguments& arguments, const MergeResult& result) {
+  if (!arguments.tf.empty() && !result.merged.empty()) {
+    files.writeBytes(arguments.tf, tfText(result, arguments.tf));
+  }
+  if (!arguments.graph.empty()) {
+    const std::vector<std::string> names = mergedFileNames(result, arguments.graph);
+    for (size_t i = 0; i < names.size(); ++i) {
+      files.writeBytes(names[i], graphText(result, result.merged[i]));
     }
   }
 }
@@ -110,7 +129,9 @@ void checkOutputs(const Arguments& arguments) {
     (void)trial.stage(arguments.report);
     return;
   }
-  (void)trial.stage(arguments.output);
+  for (const std::string& file : filesOfMap(arguments.output)) {
+    (void)trial.stage(file);
+  }
   (void)trial.stage(pictureBeside(arguments.output));
   for (const std::string& file :
        {arguments.report, arguments.html, arguments.tf, arguments.simplemap, arguments.graph}) {
@@ -139,51 +160,29 @@ std::vector<std::string> writeOutputs(const Inputs& inputs,
                                       const Arguments& arguments, MergeResult& result,
                                       double seconds_before, const ProgressFunction& tell) {
   const Stopwatch stopwatch;
-  const std::vector<Map>& maps = inputs.maps;
   std::vector<std::string> map_files = mergedFileNames(result, arguments.output);
   std::optional<NewFolder> folder;
   if (!arguments.pictures.empty()) {
     folder.emplace(arguments.pictures);
   }
   OutputFiles files;
-  // Each merged map and the picture beside it.
-  const int written = 2 * static_cast<int>(map_files.size());
-  StageProgress maps_progress(tell, "maps written", written);
-  parallelFor(written, arguments.merge.threads, [&](int i) {
-    maps_progress.partBegins();
-    const auto group = static_cast<size_t>(i / 2);
-    const std::string& file = map_files[group];
-    saveMap(result.merged[group].map, i % 2 == 0 ? file : pictureBeside(file), files);
-    maps_progress.partDone();
-  });
+  stageMergedMaps(files, map_files, arguments, result, tell);
   stageSlamMaps(files, inputs, arguments);
   if (!arguments.simplemap.empty()) {
     stageMergedKeyFrames(files, group_key_frames, result, arguments.simplemap);
   }
   if (folder) {
-    for (const Picture& picture : drawPictures(maps, result, arguments.merge.threads, tell)) {
-      stageBytes(files, pictureInFolder(arguments.pictures, picture.file_name, map_files),
-                 picture.png);
-      checkInterrupt();
-    }
+    stagePictures(files, map_files, inputs.maps, arguments, result, tell);
   }
-  if (!arguments.tf.empty() && !result.merged.empty()) {
-    stageText(files, arguments.tf, tfText(result, arguments.tf));
-  }
-  if (!arguments.graph.empty()) {
-    const std::vector<std::string> names = mergedFileNames(result, arguments.graph);
-    for (size_t i = 0; i < names.size(); ++i) {
-      stageText(files, names[i], graphText(result, result.merged[i]));
-    }
-  }
+  stagePoses(files, arguments, result);
   if (!arguments.html.empty()) {
-    stageText(files, arguments.html,
-              reportHtml(maps, result, map_files, arguments.merge.threads, tell));
+    files.writeBytes(arguments.html,
+                     reportHtml(inputs.maps, result, map_files, arguments.merge.threads, tell));
   }
   result.seconds.save = stopwatch.seconds();
   result.seconds.total = seconds_before + result.seconds.save;
   if (!arguments.report.empty()) {
-    stageText(files, arguments.report, reportJson(result, map_files));
+    files.writeBytes(arguments.report, reportJson(result, map_files));
   }
   checkInterrupt();
   files.commit();
@@ -195,7 +194,7 @@ std::vector<std::string> writeOutputs(const Inputs& inputs,
 
 void writeShare(const MatchedShare& share, const Arguments& arguments) {
   OutputFiles files;
-  stageText(files, arguments.report, shareJson(share, arguments.inputs));
+  files.writeBytes(arguments.report, shareJson(share, arguments.inputs));
   checkInterrupt();
   files.commit();
 }

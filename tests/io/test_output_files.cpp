@@ -125,3 +125,22 @@ TEST_CASE("a target that became a folder keeps all others as they were", "[outpu
   CHECK(folder.read("a.txt") == "old");
   CHECK(folder.names() == Names{"a.txt", "b.txt"});
 }
+
+TEST_CASE("a file that cannot be filled is named as the user knows it, and leaves nothing",
+          "[output_files]") {
+  const ScratchFolder folder;
+  std::string told;
+  {
+    OutputFiles files;
+    try {
+      files.write(folder.path("b.png"), [](const std::string& temporary) {
+        CHECK(std::filesystem::exists(temporary));
+        throw FileError(temporary, "cannot be drawn");
+      });
+    } catch (const FileError& error) {
+      told = error.what();
+    }
+  }
+  CHECK(told == folder.path("b.png") + ": cannot be drawn");
+  CHECK(folder.names().empty());
+}

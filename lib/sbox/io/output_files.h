@@ -6,6 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "sbox/io/file_bytes.h"
+#include "sbox/io/file_error.h"
+
 namespace sbox {
 
 /// Output files that appear all together or not at all.
@@ -14,7 +17,8 @@ namespace sbox {
 /// has not been committed is removed by the destructor, so also when an exception passes.
 ///
 ///     OutputFiles files;
-///     write(files.stage("merged.png"));
+///     files.writeBytes("report.json", text);
+///     files.write("merged.png", [&](const std::string& temporary) { draw(temporary); });
 ///     files.commit();
 class OutputFiles {
  public:
@@ -28,6 +32,26 @@ class OutputFiles {
   /// something else than a writable regular file in its place, or if it has been staged before.
   /// A symbolic link is followed.
   std::string stage(const std::string& target);
+
+  /// Stages `target` and calls fill() with the path that stage() returned. What a FileError of it
+  /// says is said of the target, the name that the user knows.
+  template <typename Fill>
+  void write(const std::string& target, const Fill& fill) {
+    const std::string temporary = stage(target);
+    try {
+      fill(temporary);
+    } catch (const FileError& error) {
+      throw FileError(target, error.reason());
+    }
+  }
+
+  /// The same with these bytes as the contents, of a vector or a string.
+  template <typename Contents>
+  void writeBytes(const std::string& target, const Contents& contents) {
+    write(target, [&](const std::string& temporary) {
+      writeFile(temporary, Bytes(contents.begin(), contents.end()));
+    });
+  }
 
   /// Puts all staged files in their places, replacing what is there. Throws FileError, before the
   /// first one is replaced where that can be told.

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 
-#include "sbox/io/file_bytes.h"
 #include "sbox/io/file_error.h"
 #include "sbox/io/gridmap_file.h"
 #include "sbox/io/path_extension.h"
@@ -13,28 +12,28 @@
 namespace sbox {
 namespace {
 
-/// Stages the target and writes it; an error names the target, not the temporary file.
-template <typename Write>
-void writeStaged(OutputFiles& files, const std::string& target, const Write& write) {
-  const std::string temporary = files.stage(target);
-  try {
-    write(temporary);
-  } catch (const FileError& error) {
-    throw FileError(target, error.reason());
-  }
+bool isYaml(const std::string& path) {
+  const std::string extension = pathExtension(path);
+  return extension == ".yaml" || extension == ".yml";
+}
+
+std::filesystem::path imageBeside(const std::string& yaml) {
+  return std::filesystem::path(yaml).replace_extension(".pgm");
 }
 
 void saveRosMap(const Map& map, const std::string& path, OutputFiles& files) {
-  const std::filesystem::path image = std::filesystem::path(path).replace_extension(".pgm");
-  writeStaged(files, image.string(),
+  const std::filesystem::path image = imageBeside(path);
+  files.write(image.string(),
               [&](const std::string& temporary) { saveGreyImage(rosPicture(map), temporary); });
-  const std::string text = rosMapText(map, image.filename().string());
-  writeStaged(files, path, [&](const std::string& temporary) {
-    writeFile(temporary, Bytes(text.begin(), text.end()));
-  });
+  files.writeBytes(path, rosMapText(map, image.filename().string()));
 }
 
 }  // namespace
+
+std::vector<std::string> filesOfMap(const std::string& path) {
+  return isYaml(path) ? std::vector<std::string>{path, imageBeside(path).string()}
+                      : std::vector<std::string>{path};
+}
 
 bool canSaveMap(const std::string& path) {
   const std::string extension = pathExtension(path);
@@ -55,17 +54,17 @@ void saveMap(const Map& map, const std::string& path) {
 void saveMap(const Map& map, const std::string& path, OutputFiles& files) {
   if (!canSaveMap(path)) {
     throw FileError(path,
-                    "cannot be written: a map's name ends in .gridmap, .gridmap.gz, .yaml, "
+                    "cannot be written: a map's name ends in .gridmap, .gridmap.gz, .yaml, .yml, "
                     ".png or .pgm");
   }
   const std::string extension = pathExtension(path);
-  if (extension == ".yaml" || extension == ".yml") {
+  if (isYaml(path)) {
     saveRosMap(map, path, files);
   } else if (extension == ".png" || extension == ".pgm") {
-    writeStaged(files, path,
+    files.write(path,
                 [&](const std::string& temporary) { saveGreyImage(rosPicture(map), temporary); });
   } else {
-    writeStaged(files, path, [&](const std::string& temporary) { saveGridmap(map, temporary); });
+    files.write(path, [&](const std::string& temporary) { saveGridmap(map, temporary); });
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "sbox/core/map.h"
 #include "sbox/io/output_files.h"
@@ -19,6 +20,9 @@ void saveMap(const Map& map, const std::string& path);
 
 /// The same among other outputs: nothing is there before files.commit().
 void saveMap(const Map& map, const std::string& path, OutputFiles& files);
+
+/// The files that saveMap writes for this path: itself, and the image beside a .yaml.
+[[nodiscard]] std::vector<std::string> filesOfMap(const std::string& path);
 
 /// Whether saveMap knows the extension of the path.
 [[nodiscard]] bool canSaveMap(const std::string& path);
