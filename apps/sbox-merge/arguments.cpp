@@ -10,6 +10,8 @@
 
 #include "sbox-merge/load_inputs.h"
 #include "sbox/config/config_file.h"
+#include "sbox/core/map_limits.h"
+#include "sbox/core/number_text.h"
 #include "sbox/io/file_bytes.h"
 #include "sbox/io/initial_file.h"
 #include "sbox/io/path_extension.h"
@@ -214,8 +216,11 @@ void check(const Arguments& arguments) {
     throw UsageError("--simplemap must end in .simplemap or .simplemap.gz, not " +
                      arguments.simplemap);
   }
-  if (arguments.resolution && !(*arguments.resolution > 0 && *arguments.resolution <= 1000)) {
-    throw UsageError("--resolution must be a positive number of metres");
+  if (arguments.resolution &&
+      !(*arguments.resolution >= min_resolution && *arguments.resolution <= max_resolution)) {
+    throw UsageError("--resolution must be from " + numberText(min_resolution) + " to " +
+                     numberText(max_resolution) + " metres, not " +
+                     numberText(*arguments.resolution));
   }
 }
 

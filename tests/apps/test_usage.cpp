@@ -84,6 +84,8 @@ TEST_CASE("wrong usage ends in 2 and says what is wrong") {
   checkFailure(folder, with({"--out", "m.jpg"}), 2, "--out must end in");
   checkFailure(folder, with({"--resolution", "0"}), 2, "--resolution must be");
   checkFailure(folder, with({"--resolution", "nan"}), 2, "--resolution must be");
+  checkFailure(folder, with({"--resolution", "500"}), 2,
+               "--resolution must be from 0.001 to 100 metres, not 500");
   for (const char* share : {"0/2", "3/2", "1", "1/2x", "-1/2", "1/99999999"}) {
     checkFailure(folder, with({"--pairs", share, "--report", "r.json"}), 2,
                  "--pairs must be K/N with K from 1 to N, not " + std::string(share));
@@ -159,6 +161,9 @@ TEST_CASE("an output that cannot be written ends in 1 and leaves the others unwr
   checkFailure(folder, with({"--report", "merged.gridmap"}), 1, "merged.gridmap: ");
   fs::create_directory(folder / "merged.png");
   checkFailure(folder, with({}), 1, "merged.png: ");
+  // Outputs are looked at first, the image of a .yaml among them.
+  fs::create_directory(folder / "m.pgm");
+  checkFailure(folder, {"--in", "a.gridmap", "none.gridmap", "--out", "m.yaml"}, 1, "m.pgm: ");
 }
 
 TEST_CASE("a folder without the right to write ends in 1") {
