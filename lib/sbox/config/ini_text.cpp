@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/config/ini_text.h"
 
-#include <algorithm>
-#include <cctype>
 #include <set>
 #include <sstream>
 #include <utility>
+
+#include "sbox/core/lower_case.h"
 
 namespace sbox {
 namespace {
@@ -16,12 +16,6 @@ std::string trimmed(const std::string& text) {
   const size_t first = text.find_first_not_of(blanks);
   return first == std::string::npos ? ""
                                     : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-std::string lowerCase(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 /// A comment starts a line or follows a blank, so that values may hold its characters.

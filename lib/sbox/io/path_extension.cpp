@@ -2,23 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/io/path_extension.h"
 
-#include <algorithm>
 #include <filesystem>
+
+#include "sbox/core/lower_case.h"
 
 namespace sbox {
 
 std::string pathExtension(const std::string& path) {
   const std::filesystem::path name = std::filesystem::path(path).filename();
   std::string extension = name.extension().string();
-  const auto lower = [](std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    return text;
-  };
-  if (lower(extension) == ".gz") {
+  if (lowerCase(extension) == ".gz") {
     extension = name.stem().extension().string() + extension;
   }
-  return lower(extension);
+  return lowerCase(extension);
 }
 
 }  // namespace sbox

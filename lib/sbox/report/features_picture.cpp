@@ -9,6 +9,7 @@
 
 #include "sbox/report/drawing/figure.h"
 #include "sbox/report/drawing/paint.h"
+#include "sbox/report/words.h"
 
 namespace sbox {
 namespace {
@@ -58,10 +59,6 @@ void paintDepth(cv::Mat& plot, const cv::Mat& depth, const palette::Colour& colo
       }
     }
   }
-}
-
-std::string counted(size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
 }  // namespace

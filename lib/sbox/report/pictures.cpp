@@ -7,7 +7,6 @@
 #include <functional>
 #include <iterator>
 #include <opencv2/core.hpp>
-#include <set>
 
 #include "sbox/core/number_text.h"
 #include "sbox/core/parallel.h"
@@ -91,10 +90,7 @@ std::vector<Picture> drawPictures(const std::vector<Map>& maps, const MergeResul
   parallelFor(static_cast<int>(maps.size()), threads, [&](int i) {
     grids[static_cast<size_t>(i)] = classifyCells(maps[static_cast<size_t>(i)]);
   });
-  std::vector<std::string> paths;
-  std::transform(maps.begin(), maps.end(), std::back_inserter(paths),
-                 [](const Map& map) { return map.name; });
-  const std::vector<std::string> names = shortNames(paths);
+  const std::vector<std::string> names = shortNames(result);
   const std::vector<Plan> plans = planPictures(grids, names, result);
 
   std::vector<std::string> file_names;

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/report/report_html.h"
 
-#include <algorithm>
 #include <functional>
-#include <iterator>
 
 #include "sbox/core/parallel.h"
 #include "sbox/report/html/html_text.h"
@@ -31,10 +29,7 @@ PageData pageData(const std::vector<Map>& maps, const MergeResult& result, int t
     page.grids[index] = classifyCells(maps[index]);
     page.masks[index] = maskMap(page.grids[index], "m" + std::to_string(i), maskSide(maps.size()));
   });
-  std::vector<std::string> paths;
-  std::transform(maps.begin(), maps.end(), std::back_inserter(paths),
-                 [](const Map& map) { return map.name; });
-  page.names = shortNames(paths);
+  page.names = shortNames(result);
   return page;
 }
 

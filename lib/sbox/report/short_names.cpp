@@ -7,6 +7,8 @@
 #include <iterator>
 #include <set>
 
+#include "sbox/core/lower_case.h"
+
 namespace sbox {
 namespace {
 
@@ -29,12 +31,6 @@ std::string safeStem(const std::string& path) {
   return stem.empty() ? "map" : stem.substr(0, most_characters);
 }
 
-std::string lowerCase(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
-
 }  // namespace
 
 std::vector<std::string> distinctNames(const std::vector<std::string>& names) {
@@ -54,6 +50,13 @@ std::vector<std::string> shortNames(const std::vector<std::string>& paths) {
   std::vector<std::string> stems;
   std::transform(paths.begin(), paths.end(), std::back_inserter(stems), safeStem);
   return distinctNames(stems);
+}
+
+std::vector<std::string> shortNames(const MergeResult& result) {
+  std::vector<std::string> paths;
+  std::transform(result.maps.begin(), result.maps.end(), std::back_inserter(paths),
+                 [](const MapOutcome& map) { return map.name; });
+  return shortNames(paths);
 }
 
 }  // namespace sbox

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "sbox/merge_result.h"
+
 namespace sbox {
 
 /// The names with "-2", "-3", ... added so that all are distinct without regard to case; the first
@@ -14,5 +16,8 @@ namespace sbox {
 /// For each path a distinct name that is safe in a file name: letters, digits, "-" and "_" of its
 /// stem, at most 60 before numbers are added.
 [[nodiscard]] std::vector<std::string> shortNames(const std::vector<std::string>& paths);
+
+/// The short names of all maps, in their order.
+[[nodiscard]] std::vector<std::string> shortNames(const MergeResult& result);
 
 }  // namespace sbox

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/report/tf_text.h"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <vector>
 
 #include "sbox/core/number_text.h"
@@ -20,10 +18,7 @@ struct Transform {
 };
 
 std::vector<Transform> transforms(const MergeResult& result) {
-  std::vector<std::string> files;
-  std::transform(result.maps.begin(), result.maps.end(), std::back_inserter(files),
-                 [](const MapOutcome& map) { return map.name; });
-  const std::vector<std::string> names = shortNames(files);
+  const std::vector<std::string> names = shortNames(result);
   std::vector<Transform> all;
   for (const MergedGroup& merged : result.merged) {
     const bool main_group = &merged == &result.merged.front();

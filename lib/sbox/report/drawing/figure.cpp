@@ -8,8 +8,8 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
-#include "sbox/core/number_text.h"
 #include "sbox/report/drawing/text.h"
+#include "sbox/report/words.h"
 
 namespace sbox {
 namespace {
@@ -31,22 +31,12 @@ void drawTitle(cv::Mat& picture, const std::string& title, int width) {
   drawText(picture, shortened(title, width, style), {margin, 54}, style);
 }
 
-/// The largest of 1, 2, 5, 10, ... (and 0.5, 0.2, ...) metres that is at most `pixels` long.
-double roundLength(double pixels, double pixels_per_metre) {
-  const double metres = pixels / pixels_per_metre;
-  const double power = std::pow(10.0, std::floor(std::log10(metres)));
-  const double lead = metres / power;
-  return power * (lead >= 5 ? 5 : lead >= 2 ? 2 : 1);
-}
-
-std::string lengthText(double metres) {
-  const int digits = std::max(0, -static_cast<int>(std::floor(std::log10(metres) + 1e-9)));
-  return fixedDigits(metres, digits) + " m";
-}
+/// The length of the bar in metres: a round one that takes at most 320 pixels.
+double barLength(double pixels_per_metre) { return roundLength(320 / pixels_per_metre); }
 
 /// Draws the bar with its right end at `right_end`; returns the x of its left end.
 int drawScaleBar(cv::Mat& picture, cv::Point right_end, double pixels_per_metre) {
-  const double metres = roundLength(320, pixels_per_metre);
+  const double metres = barLength(pixels_per_metre);
   const int length = static_cast<int>(std::lround(metres * pixels_per_metre));
   const std::string text = lengthText(metres);
   const int text_width = textWidth(text, small_style);
@@ -123,7 +113,7 @@ cv::Mat composeFigure(const Figure& figure) {
     plots_height = std::max(plots_height, plot.rows);
   }
   const int inner_width = std::max(plots_width, min_width);
-  const double bar_metres = roundLength(320, figure.pixels_per_metre);
+  const double bar_metres = barLength(figure.pixels_per_metre);
   const int bar_width = static_cast<int>(bar_metres * figure.pixels_per_metre) +
                         textWidth(lengthText(bar_metres), small_style) + 40;
   const std::vector<Row> rows = breakLegend(figure.legend, inner_width - bar_width, inner_width);

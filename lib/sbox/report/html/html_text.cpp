@@ -58,8 +58,4 @@ std::string pngUri(const std::vector<unsigned char>& png) {
   return out;
 }
 
-std::string counted(size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 }  // namespace sbox::html

@@ -16,7 +16,4 @@ namespace sbox::html {
 /// "data:image/png;base64,..." for the bytes of a PNG file.
 [[nodiscard]] std::string pngUri(const std::vector<unsigned char>& png);
 
-/// "3 lines", "1 line".
-[[nodiscard]] std::string counted(size_t count, const std::string& one, const std::string& many);
-
 }  // namespace sbox::html

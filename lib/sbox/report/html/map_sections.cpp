@@ -7,6 +7,7 @@
 #include "sbox/report/html/html_text.h"
 #include "sbox/report/html/pose_table.h"
 #include "sbox/report/html/stage.h"
+#include "sbox/report/words.h"
 
 namespace sbox::html {
 namespace {

@@ -10,6 +10,7 @@
 #include "sbox/report/html/stage.h"
 #include "sbox/report/overlay_layers.h"
 #include "sbox/report/summary.h"
+#include "sbox/report/words.h"
 
 namespace sbox::html {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "sbox/core/number_text.h"
 #include "sbox/report/html/html_text.h"
+#include "sbox/report/words.h"
 
 namespace sbox::html {
 namespace {
@@ -26,18 +27,10 @@ std::string openLayer(const MaskLayer& layer) {
          escaped(layer.name) + "\"";
 }
 
-/// The largest of 1, 2 or 5 times a power of ten that is at most `metres`.
-double roundLength(double metres) {
-  const double power = std::pow(10.0, std::floor(std::log10(metres)));
-  const double lead = metres / power;
-  return power * (lead >= 5 ? 5 : lead >= 2 ? 2 : 1);
-}
-
 std::string scaleBar(double stage_width) {
   const double length = roundLength(stage_width / 4);
-  const int digits = std::max(0, -static_cast<int>(std::floor(std::log10(length) + 1e-9)));
   return "<div class=\"scale\" style=\"width:" + percent(length / stage_width) + "\">" +
-         fixedDigits(length, digits) + " m</div>";
+         lengthText(length) + "</div>";
 }
 
 }  // namespace
