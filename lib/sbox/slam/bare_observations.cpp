@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/slam/bare_observations.h"
 
-#include <mrpt/obs/CActionRobotMovement2D.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservationOdometry.h>
 
@@ -11,6 +10,7 @@
 #include <memory>
 
 #include "sbox/core/pose.h"
+#include "sbox/slam/planar_movement.h"
 
 namespace sbox {
 namespace {
@@ -66,15 +66,6 @@ Pose2D poseAt(const std::vector<Reading>& readings, size_t entry, mrpt::Clock::t
           wrapAngle(before.pose.phi + share * wrapAngle(after->pose.phi - before.pose.phi))};
 }
 
-mrpt::obs::CActionCollection::Ptr movement(const Pose2D& increment, mrpt::Clock::time_point time) {
-  mrpt::obs::CActionRobotMovement2D moved;
-  moved.computeFromOdometry(mrpt::poses::CPose2D(increment), {});
-  moved.timestamp = time;
-  auto actions = std::make_shared<mrpt::obs::CActionCollection>();
-  actions->insert(moved);
-  return actions;
-}
-
 /// Whether the scan is another lidar's view of the very moment of the step.
 bool sameMoment(const LogStep& step, const CObservation2DRangeScan& scan) {
   bool same = timed(scan.timestamp);
@@ -107,7 +98,8 @@ ScanLog stepsOfObservations(const CRawlog& log) {
     auto moved = std::make_shared<mrpt::obs::CActionCollection>();
     if (steps.has_odometry) {
       const Pose2D pose = poseAt(readings, i, scan->timestamp);
-      moved = movement(steps.steps.empty() ? Pose2D() : inverse(last) + pose, scan->timestamp);
+      const Pose2D increment = steps.steps.empty() ? Pose2D() : inverse(last) + pose;
+      moved = planarMovement(mrpt::poses::CPose2D(increment), {}, scan->timestamp);
       last = pose;
     }
     auto seen = std::make_shared<mrpt::obs::CSensoryFrame>();

@@ -10,6 +10,8 @@
 #include <memory>
 #include <optional>
 
+#include "sbox/slam/planar_movement.h"
+
 namespace sbox {
 namespace {
 
@@ -18,17 +20,6 @@ using mrpt::obs::CActionRobotMovement2D;
 using mrpt::obs::CActionRobotMovement3D;
 using mrpt::obs::CSensoryFrame;
 using mrpt::poses::CPose2D;
-
-CActionCollection::Ptr movement(const CPose2D& increment,
-                                const CActionRobotMovement2D::TMotionModelOptions& model,
-                                mrpt::Clock::time_point time) {
-  CActionRobotMovement2D moved;
-  moved.computeFromOdometry(increment, model);
-  moved.timestamp = time;
-  auto actions = std::make_shared<CActionCollection>();
-  actions->insert(moved);
-  return actions;
-}
 
 /// The movements since the last frame.
 class Movements {
@@ -62,7 +53,8 @@ class Movements {
   CActionCollection::Ptr take() {
     CActionCollection::Ptr taken = original_;
     if (!taken) {
-      taken = any_ ? movement(increment_, model_, time_) : std::make_shared<CActionCollection>();
+      taken =
+          any_ ? planarMovement(increment_, model_, time_) : std::make_shared<CActionCollection>();
     }
     increment_ = CPose2D();
     original_ = nullptr;
