@@ -13,35 +13,48 @@ namespace sbox::bench {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kEdges[] = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 0.99, 1};
 /// Chi-squared of 3 degrees of freedom, 95th percentile.
 constexpr double kOneAnswer95 = 7.815;
 
-size_t binOf(double confidence) {
-  size_t bin = 0;
-  while (bin + 2 < std::size(kEdges) && confidence >= kEdges[bin + 1]) {
-    ++bin;
+}  // namespace
+
+ConfidenceBins::ConfidenceBins(const std::vector<double>& edges) {
+  for (size_t i = 0; i + 1 < edges.size(); ++i) {
+    bins_.push_back({edges[i], edges[i + 1], 0, 0, 0, 0, 0});
   }
-  return bin;
 }
 
-}  // namespace
+ReliabilityBin& ConfidenceBins::add(double confidence, bool right) {
+  const auto above = std::find_if(bins_.begin(), bins_.end() - 1,
+                                  [&](const ReliabilityBin& bin) { return confidence < bin.to; });
+  ++above->answers;
+  above->right += right ? 1 : 0;
+  above->mean_confidence += confidence;
+  return *above;
+}
+
+std::vector<ReliabilityBin> ConfidenceBins::bins() const {
+  std::vector<ReliabilityBin> means = bins_;
+  for (ReliabilityBin& bin : means) {
+    bin.mean_confidence = bin.answers > 0 ? bin.mean_confidence / bin.answers : kNone;
+  }
+  return means;
+}
+
+std::string rangeText(const ReliabilityBin& bin) {
+  return formatNumber(bin.from, 2) + " to " + formatNumber(bin.to, 2);
+}
 
 Reliability reliability(const std::vector<const Answer*>& answers) {
   Reliability result;
-  for (size_t i = 0; i + 1 < std::size(kEdges); ++i) {
-    result.bins.push_back({kEdges[i], kEdges[i + 1], 0, 0, 0, 0, 0});
-  }
+  ConfidenceBins bins({0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.95, 0.99, 1});
   for (const Answer* answer : answers) {
     if (!answer->result.has_pose) {
       continue;
     }
     const double confidence = answer->result.confidence;
     const int right = answer->poseRight() ? 1 : 0;
-    ReliabilityBin& bin = result.bins[binOf(confidence)];
-    ++bin.answers;
-    bin.right += right;
-    bin.mean_confidence += confidence;
+    ReliabilityBin& bin = bins.add(confidence, answer->poseRight());
     if (answer->result.verdict == Verdict::Accepted) {
       ++bin.accepted;
       bin.accepted_right += right;
@@ -49,9 +62,7 @@ Reliability reliability(const std::vector<const Answer*>& answers) {
     ++result.answers;
     result.brier += (confidence - right) * (confidence - right);
   }
-  for (ReliabilityBin& bin : result.bins) {
-    bin.mean_confidence = bin.answers > 0 ? bin.mean_confidence / bin.answers : kNone;
-  }
+  result.bins = bins.bins();
   result.brier = result.answers > 0 ? result.brier / result.answers : kNone;
   return result;
 }
@@ -72,10 +83,9 @@ Table reliabilityTable(const MethodRun& run) {
       continue;
     }
     const double share = static_cast<double>(bin.right) / bin.answers;
-    table.rows.push_back({formatNumber(bin.from, 2) + " to " + formatNumber(bin.to, 2),
-                          std::to_string(bin.answers), formatNumber(bin.mean_confidence, 3),
-                          formatNumber(share, 3), std::to_string(bin.accepted),
-                          std::to_string(bin.accepted_right)});
+    table.rows.push_back({rangeText(bin), std::to_string(bin.answers),
+                          formatNumber(bin.mean_confidence, 3), formatNumber(share, 3),
+                          std::to_string(bin.accepted), std::to_string(bin.accepted_right)});
   }
   table.rows.push_back(
       {"Brier score " + formatNumber(all.brier, 4), std::to_string(all.answers), "", "", "", ""});

@@ -5,7 +5,7 @@
 // covariance against the error.
 #pragma once
 
-#include <optional>
+#include <string>
 #include <vector>
 
 #include "sbox-bench/score_table.h"
@@ -23,6 +23,24 @@ struct ReliabilityBin {
   int accepted_right = 0;
 };
 
+/// Counts answers by their confidence.
+class ConfidenceBins {
+ public:
+  /// Bins between these edges, which ascend.
+  explicit ConfidenceBins(const std::vector<double>& edges);
+  /// Counts an answer, right or not, and gives its bin.
+  ReliabilityBin& add(double confidence, bool right);
+  /// All bins, ascending.
+  [[nodiscard]] std::vector<ReliabilityBin> bins() const;
+
+ private:
+  std::vector<ReliabilityBin> bins_;  ///< With the sum of confidences in place of their mean.
+};
+
+/// "0.70 to 0.80".
+[[nodiscard]] std::string rangeText(const ReliabilityBin& bin);
+
+/// How confidences compare with what was right.
 struct Reliability {
   std::vector<ReliabilityBin> bins;
   int answers = 0;   ///< With a pose; a pose for a pair with nothing in common counts as not right.

@@ -3,7 +3,8 @@
 #include "sbox-bench/cross_validation.h"
 
 #include <algorithm>
-#include <array>
+
+#include "sbox-bench/calibration.h"
 
 namespace sbox::bench {
 namespace {
@@ -35,9 +36,7 @@ Table crossValidation(const std::vector<VerdictSample>& samples,
     int pairs = 0, right = 0, wrong = 0;
   };
   std::vector<Count> of_folder(folder_names.size());
-  constexpr std::array<double, 6> bins = {0, 0.5, 0.7, 0.9, 0.97, 1.000001};
-  std::array<double, 5> sum{};
-  std::array<Count, 5> of_bin{};
+  ConfidenceBins confidences({0, 0.5, 0.7, 0.9, 0.97, 1});
   for (size_t i = 0; i < samples.size(); ++i) {
     const std::vector<double> p = probabilities(samples[i], models[foldOf(i)]);
     Count& count = of_folder[samples[i].folder];
@@ -50,11 +49,7 @@ Table crossValidation(const std::vector<VerdictSample>& samples,
     if (p[best] >= accept_from) {
       ++(right ? count.right : count.wrong);
     }
-    const auto bin =
-        static_cast<size_t>(std::upper_bound(bins.begin(), bins.end(), p[best]) - bins.begin() - 1);
-    sum[bin] += p[best];
-    ++of_bin[bin].pairs;
-    of_bin[bin].right += right ? 1 : 0;
+    confidences.add(p[best], right);
   }
   Table table;
   table.header = {"left out of the fit", "pairs",      "right", "wrong",
@@ -64,13 +59,11 @@ Table crossValidation(const std::vector<VerdictSample>& samples,
                           std::to_string(of_folder[f].right), std::to_string(of_folder[f].wrong),
                           "", ""});
   }
-  for (size_t bin = 0; bin < of_bin.size(); ++bin) {
-    if (of_bin[bin].pairs > 0) {
-      table.rows.push_back(
-          {formatNumber(bins[bin], 2) + " to " + formatNumber(bins[bin + 1], 2),
-           std::to_string(of_bin[bin].pairs), std::to_string(of_bin[bin].right), "",
-           formatNumber(sum[bin] / of_bin[bin].pairs, 3),
-           formatNumber(of_bin[bin].right / static_cast<double>(of_bin[bin].pairs), 3)});
+  for (const ReliabilityBin& bin : confidences.bins()) {
+    if (bin.answers > 0) {
+      table.rows.push_back({rangeText(bin), std::to_string(bin.answers), std::to_string(bin.right),
+                            "", formatNumber(bin.mean_confidence, 3),
+                            formatNumber(bin.right / static_cast<double>(bin.answers), 3)});
     }
   }
   return table;
