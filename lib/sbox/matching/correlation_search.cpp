@@ -9,6 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "sbox/alignment/plausibility.h"
+#include "sbox/matching/turned_bounds.h"
 
 namespace sbox {
 namespace {
@@ -30,15 +31,7 @@ struct Canvas {
 
 /// With a rim of `margin` cells.
 Canvas canvasFor(const MapFeatures& map, double heading, double resolution, int margin) {
-  const Eigen::Rotation2Dd turn(heading);
-  Eigen::Vector2d low = Eigen::Vector2d::Zero(), high = low;
-  for (const Eigen::Vector2d& corner :
-       {Eigen::Vector2d(map.width, 0), Eigen::Vector2d(0, map.height),
-        Eigen::Vector2d(map.width, map.height)}) {
-    const Eigen::Vector2d p = turn * corner;
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
+  const auto [low, high] = turnedBounds(map, heading);
   const Eigen::Vector2d cells = (high - low) / resolution;
   return {low - Eigen::Vector2d::Constant(margin * resolution),
           {static_cast<int>(std::ceil(cells.x())) + 1 + 2 * margin,
@@ -122,6 +115,35 @@ cv::Mat correlate(const cv::Mat& a, const cv::Mat& b, const cv::Mat& second_a = 
   return result;
 }
 
+/// How plausible each shift of map b over map a is.
+cv::Mat scoreShifts(const Spectra& a, const Spectra& b, double resolution, double min_agree) {
+  const cv::Mat agree = correlate(a.facing_x, b.facing_x, a.facing_y, b.facing_y);
+  const cv::Mat known = correlate(a.free, b.wall, a.wall, b.free);
+  const cv::Mat conflict = correlate(a.conflict, b.wall, a.wall, b.conflict);
+  const cv::Mat free_free = correlate(a.free, b.free);
+  cv::Mat scores(agree.size(), CV_32F);
+  Evidence found;
+  for (int y = 0; y < scores.rows; ++y) {
+    const auto* agree_row = agree.ptr<float>(y);
+    const auto* known_row = known.ptr<float>(y);
+    const auto* conflict_row = conflict.ptr<float>(y);
+    const auto* free_row = free_free.ptr<float>(y);
+    auto* score_row = scores.ptr<float>(y);
+    for (int x = 0; x < scores.cols; ++x) {
+      found.agree = 2 * std::max(0.F, agree_row[x]);
+      found.known = std::max(0.F, known_row[x]) + found.agree;
+      if (found.agree < min_agree * found.known) {
+        score_row[x] = static_cast<float>(kImplausible);
+        continue;
+      }
+      found.conflict = std::max(0.F, conflict_row[x]);
+      found.free_free = std::max(0.F, free_row[x]) * resolution * resolution;
+      score_row[x] = static_cast<float>(plausibility(found));
+    }
+  }
+  return scores;
+}
+
 /// The most plausible shifts, none near a better one.
 std::vector<std::pair<double, cv::Point>> bestShifts(const cv::Mat& scores, int count, int radius) {
   // A shift counts if nothing about it is better: dilation finds these at once.
@@ -169,32 +191,7 @@ std::vector<Hypothesis> searchByCorrelation(const MapFeatures& a, const MapFeatu
   for (const double heading : findHeadings(a, b, options.headings)) {
     const Canvas canvas_b = canvasFor(b, heading, resolution, 0);
     const Spectra spectra_b(draw(b, heading, canvas_b, size, evidence), canvas_b.size.height);
-    const cv::Mat agree =
-        correlate(spectra_a.facing_x, spectra_b.facing_x, spectra_a.facing_y, spectra_b.facing_y);
-    const cv::Mat known = correlate(spectra_a.free, spectra_b.wall, spectra_a.wall, spectra_b.free);
-    const cv::Mat conflict =
-        correlate(spectra_a.conflict, spectra_b.wall, spectra_a.wall, spectra_b.conflict);
-    const cv::Mat free_free = correlate(spectra_a.free, spectra_b.free);
-    cv::Mat scores(size, CV_32F);
-    Evidence found;
-    for (int y = 0; y < size.height; ++y) {
-      const auto* agree_row = agree.ptr<float>(y);
-      const auto* known_row = known.ptr<float>(y);
-      const auto* conflict_row = conflict.ptr<float>(y);
-      const auto* free_row = free_free.ptr<float>(y);
-      auto* score_row = scores.ptr<float>(y);
-      for (int x = 0; x < size.width; ++x) {
-        found.agree = 2 * std::max(0.F, agree_row[x]);
-        found.known = std::max(0.F, known_row[x]) + found.agree;
-        if (found.agree < options.min_agree * found.known) {
-          score_row[x] = static_cast<float>(kImplausible);
-          continue;
-        }
-        found.conflict = std::max(0.F, conflict_row[x]);
-        found.free_free = std::max(0.F, free_row[x]) * resolution * resolution;
-        score_row[x] = static_cast<float>(plausibility(found));
-      }
-    }
+    const cv::Mat scores = scoreShifts(spectra_a, spectra_b, resolution, options.min_agree);
     const int radius = std::max(1, static_cast<int>(options.separation / resolution));
     for (const auto& [score, place] : bestShifts(scores, options.per_heading, radius)) {
       // Shifts to the left or down come out wrapped round.

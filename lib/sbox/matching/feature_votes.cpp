@@ -7,6 +7,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "sbox/matching/turned_bounds.h"
+
 namespace sbox {
 namespace {
 
@@ -177,28 +179,13 @@ std::vector<Ballot> boxBallots(const std::vector<WallBox>& a, const std::vector<
   return ballots;
 }
 
-/// Bounds of the known part of a map in the axes of a frame.
-void frameBounds(const MapFeatures& map, const WallFrame& frame, Eigen::Vector2d& low,
-                 Eigen::Vector2d& high) {
-  const Eigen::Rotation2Dd to_frame(-frame.direction);
-  low = high = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector2d& corner :
-       {Eigen::Vector2d(map.width, 0), Eigen::Vector2d(0, map.height),
-        Eigen::Vector2d(map.width, map.height)}) {
-    const Eigen::Vector2d p = to_frame * corner;
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-}
-
 /// For all places at which the centre of map b can lie if the maps meet.
 VoteGrid gridFor(const MapFeatures& map_a, const MapFeatures& map_b, const WallFrame& frame_a,
                  double bin) {
-  Eigen::Vector2d low, high;
-  frameBounds(map_a, frame_a, low, high);
-  const double radius_b = std::hypot(map_b.width, map_b.height) / 2;
-  return {low - Eigen::Vector2d::Constant(radius_b), high + Eigen::Vector2d::Constant(radius_b),
-          bin};
+  const TurnedBounds bounds = turnedBounds(map_a, -frame_a.direction);
+  const Eigen::Vector2d radius_b =
+      Eigen::Vector2d::Constant(std::hypot(map_b.width, map_b.height) / 2);
+  return {bounds.low - radius_b, bounds.high + radius_b, bin};
 }
 
 std::vector<Hypothesis> voteForTurn(const MapFeatures& map_b, const FrameFeatures& a,
