@@ -4,6 +4,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "sbox/core/pose_errors.h"
+
 namespace sbox::bench {
 
 std::optional<NormalisedError> normalisedError(const PairResult& result,
@@ -17,9 +19,7 @@ std::optional<NormalisedError> normalisedError(const PairResult& result,
   const Eigen::Vector3d error(placed.x - true_place.x, placed.y - true_place.y,
                               wrapAngle(pose.phi - truth.pose_b_in_a.phi));
   // d(placed) / d(x, y, phi): a turn moves the centre across its arm.
-  Eigen::Matrix3d jacobian = Eigen::Matrix3d::Identity();
-  jacobian(0, 2) = -(placed.y - pose.y);
-  jacobian(1, 2) = placed.x - pose.x;
+  const Eigen::Matrix3d jacobian = leverTo({placed.x - pose.x, placed.y - pose.y});
   const Eigen::Matrix3d covariance = jacobian * result.covariance * jacobian.transpose();
   const Eigen::LLT<Eigen::Matrix3d> of_answer(covariance);
   if (of_answer.info() != Eigen::Success) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "sbox/core/number_text.h"
+#include "sbox/core/pose_errors.h"
 #include "sbox/core/stopwatch.h"
 
 namespace sbox {
@@ -22,12 +23,7 @@ PoseCovariance frameCovariance(const MapFeatures& a, const MapFeatures& b,
   const Pose2D b_in_grid_b = inverse(b.grid_in_map);
   const Eigen::Vector2d arm = Eigen::Rotation2Dd(refined.b_in_a.heading) *
                               (Eigen::Vector2d(b_in_grid_b.x, b_in_grid_b.y) - refined.pivot_b);
-  Eigen::Matrix3d lever = Eigen::Matrix3d::Identity();
-  lever(0, 2) = -arm.y();
-  lever(1, 2) = arm.x();
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(a.grid_in_map.phi).toRotationMatrix();
-  const Eigen::Matrix3d jacobian = turn * lever;
+  const Eigen::Matrix3d jacobian = turnedAxes(a.grid_in_map.phi) * leverTo(arm);
   return jacobian * refined.covariance * jacobian.transpose();
 }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/paper/paper_method.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -10,6 +9,7 @@
 #include <utility>
 
 #include "sbox/core/number_text.h"
+#include "sbox/core/pose_errors.h"
 #include "sbox/core/stopwatch.h"
 #include "sbox/paper/kalman_step.h"
 
@@ -48,13 +48,8 @@ PoseCovariance poseCovariance(const PaperFeatures& a, const PaperFeatures& b,
   const Pose2D grid_b_in_grid_a = inverse(kalman.pose_a_in_b);
   const PoseCovariance in_grids = inverseCovariance(kalman.pose_a_in_b, kalman.covariance);
   const Pose2D b_in_grid_a = grid_b_in_grid_a + inverse(b.states.corner_in_map);
-  PoseCovariance lever = PoseCovariance::Identity();
-  lever(0, 2) = -(b_in_grid_a.y - grid_b_in_grid_a.y);
-  lever(1, 2) = b_in_grid_a.x - grid_b_in_grid_a.x;
-  // Axes of grid a to those of map a.
-  PoseCovariance turn = PoseCovariance::Identity();
-  turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(a.states.corner_in_map.phi).toRotationMatrix();
-  const PoseCovariance jacobian = turn * lever;
+  const Eigen::Vector2d arm(b_in_grid_a.x - grid_b_in_grid_a.x, b_in_grid_a.y - grid_b_in_grid_a.y);
+  const Eigen::Matrix3d jacobian = turnedAxes(a.states.corner_in_map.phi) * leverTo(arm);
   return jacobian * in_grids * jacobian.transpose();
 }
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sbox/core/pose_errors.h"
+
 namespace sbox {
 namespace {
 
@@ -20,22 +22,12 @@ bool isPositiveDefinite(const PoseCovariance& covariance) {
   return covariance.allFinite() && covariance.llt().info() == Eigen::Success;
 }
 
-/// From the error of the frame's origin to that of the point at `arm` from it, in a's axes; with
-/// -arm the other way round.
-Eigen::Matrix3d leverTo(const Eigen::Vector2d& arm) {
-  Eigen::Matrix3d lever = Eigen::Matrix3d::Identity();
-  lever(0, 2) = -arm.y();
-  lever(1, 2) = arm.x();
-  return lever;
-}
-
 /// The covariance of `from` as that of `to`: the same error of the middle of b, along b's axes.
 PoseCovariance carriedByMiddle(const PoseCovariance& covariance, const Pose2D& from,
                                const Pose2D& to, const Point2D& middle_b) {
   const Eigen::Vector2d middle(middle_b.x, middle_b.y);
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(to.phi - from.phi).toRotationMatrix();
-  const Eigen::Matrix3d jacobian = leverTo(-(Eigen::Rotation2Dd(to.phi) * middle)) * turn *
+  const Eigen::Matrix3d jacobian = leverTo(-(Eigen::Rotation2Dd(to.phi) * middle)) *
+                                   turnedAxes(to.phi - from.phi) *
                                    leverTo(Eigen::Rotation2Dd(from.phi) * middle);
   return jacobian * covariance * jacobian.transpose();
 }

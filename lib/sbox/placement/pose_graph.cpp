@@ -8,12 +8,13 @@
 #include <ceres/solver.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
+
+#include "sbox/core/pose_errors.h"
 
 namespace sbox {
 namespace {
@@ -52,8 +53,7 @@ struct EdgeCost {
 };
 
 EdgeCost costOf(const GraphEdge& edge) {
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(-edge.pose_b_in_a.phi).toRotationMatrix();
+  const Eigen::Matrix3d turn = turnedAxes(-edge.pose_b_in_a.phi);
   const Eigen::Matrix3d along_b = turn * edge.covariance * turn.transpose();
   return {edge.pose_b_in_a, along_b.llt().matrixL()};
 }

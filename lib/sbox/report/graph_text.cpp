@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/report/graph_text.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "sbox/core/number_text.h"
+#include "sbox/core/pose_errors.h"
 
 namespace sbox {
 namespace {
@@ -30,8 +30,7 @@ std::string edgeLine(const MapPair& pair) {
   const Pose2D& pose_b_in_a = candidate == 0 ? pair.result.pose_b_in_a
                                              : pair.result.alternatives[candidate - 1].pose_b_in_a;
   // MRPT takes the difference to the edge along the axes of b.
-  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
-  turn.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(-pose_b_in_a.phi).toRotationMatrix();
+  const Eigen::Matrix3d turn = turnedAxes(-pose_b_in_a.phi);
   const Eigen::Matrix3d information = turn * pair.settlement->information * turn.transpose();
   std::string line = "EDGE2" + mapNumbers(pair) + poseNumbers(pose_b_in_a);
   for (int row = 0; row < 3; ++row) {
