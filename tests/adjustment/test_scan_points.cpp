@@ -68,3 +68,10 @@ TEST_CASE("far points and tilted lidars are left out", "[adjustment]") {
   CHECK(scanPoints(*frame.seen).empty());
   CHECK(scanPoints({}).empty());
 }
+
+TEST_CASE("a scan of one beam has no surface", "[adjustment]") {
+  const KeyFrame frame = keyFrame({}, {}, {});
+  auto& scan = dynamic_cast<mrpt::obs::CObservation2DRangeScan&>(**frame.seen->begin());
+  scan.resizeScan(1);
+  CHECK(scanPoints(*frame.seen).empty());
+}

@@ -1,6 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <mrpt/obs/CObservationRange.h>
+
 #include <cmath>
+#include <limits>
+#include <memory>
 
 #include "catch.h"
 #include "mapping/scanned_room.h"
@@ -68,4 +72,34 @@ TEST_CASE("what cannot be mapped is refused before memory is taken", "[map_key_f
   MappingOptions options;
   options.certainty = 0.5;
   CHECK_THROWS_AS(mapKeyFrames("room", {keyFrame(room, {}, {})}, options), std::invalid_argument);
+}
+
+TEST_CASE("scans that cannot be are refused", "[map_key_frames]") {
+  const Room room;
+  // The first is sound, so that the extent of the map is.
+  KeyFrames frames{keyFrame(room, {}, {}), keyFrame(room, {}, {})};
+  auto& scan = dynamic_cast<mrpt::obs::CObservation2DRangeScan&>(**frames[1].seen->begin());
+  constexpr float none = std::numeric_limits<float>::quiet_NaN();
+  SECTION("a sensor without a heading") { scan.sensorPose = {0, 0, 0, none, 0, 0}; }
+  SECTION("a sensor without a place") { scan.sensorPose = {none, 0, 0, 0, 0, 0}; }
+  SECTION("a range below zero") { scan.setScanRange(100, -1e30F); }
+  SECTION("no aperture") { scan.aperture = none; }
+  SECTION("an aperture of many turns") { scan.aperture = 1e30F; }
+  SECTION("a sonar that measures below zero") {
+    const auto sonar = std::make_shared<mrpt::obs::CObservationRange>();
+    sonar->sensedData.resize(1);
+    sonar->sensedData[0].sensedDistance = -1;
+    frames[1].seen->insert(sonar);
+  }
+  CHECK_THROWS_WITH(mapKeyFrames("room", frames),
+                    "the pose, angles or ranges of a scan make no sense");
+}
+
+TEST_CASE("beams without an echo are no fault of a scan", "[map_key_frames]") {
+  const Room room;
+  const KeyFrames frames{keyFrame(room, {}, {})};
+  auto& scan = dynamic_cast<mrpt::obs::CObservation2DRangeScan&>(**frames[0].seen->begin());
+  scan.setScanRange(100, std::numeric_limits<float>::infinity());
+  scan.setScanRange(200, std::numeric_limits<float>::quiet_NaN());
+  CHECK(mapKeyFrames("room", frames).width() > 100);
 }

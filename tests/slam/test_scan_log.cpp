@@ -156,3 +156,17 @@ TEST_CASE("a file that is no rawlog is refused in one line", "[scan_log]") {
   CHECK(errorOf(folder.path("empty.rawlog")) == "is empty");
   CHECK(errorOf(folder.path("missing.rawlog")) == "no such file");
 }
+
+TEST_CASE("a log with a scan that cannot be is refused", "[scan_log]") {
+  mrpt::obs::CRawlog raw;
+  insertAction(raw, {0, 0, 0});
+  mrpt::obs::CSensoryFrame frame;
+  const auto scan = scanRoom({}, {});
+  scan->sensorPose = {0, 0, 0, std::numeric_limits<double>::quiet_NaN(), 0, 0};
+  frame.insert(scan);
+  raw.insert(frame);
+  const ScratchFolder folder;
+  REQUIRE(raw.saveToRawLogFile(folder.path("a.rawlog")));
+  CHECK(errorOf(folder.path("a.rawlog")) ==
+        "is damaged: the pose, angles or ranges of a scan make no sense");
+}

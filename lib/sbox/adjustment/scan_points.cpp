@@ -74,7 +74,8 @@ std::vector<ScanPoint> scanPoints(const mrpt::obs::CSensoryFrame& seen,
   for (const auto& observation : seen) {
     const auto scan =
         std::dynamic_pointer_cast<const mrpt::obs::CObservation2DRangeScan>(observation);
-    if (!scan || !scan->isPlanarScan(options.max_tilt)) {
+    // Of a single beam MRPT makes no points, but an error.
+    if (!scan || scan->getScanSize() < 2 || !scan->isPlanarScan(options.max_tilt)) {
       continue;
     }
     const Eigen::Vector2d sensor(scan->sensorPose.x(), scan->sensorPose.y());

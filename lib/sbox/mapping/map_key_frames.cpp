@@ -9,6 +9,7 @@
 
 #include "sbox/core/map_limits.h"
 #include "sbox/mapping/crop_to_known.h"
+#include "sbox/mapping/sound_scan.h"
 
 namespace sbox {
 namespace {
@@ -30,12 +31,15 @@ struct Extent {
   }
 };
 
-/// What the beams can reach.
+/// What the beams can reach. Throws if an observation cannot be.
 Extent reach(const KeyFrames& key_frames, double max_range) {
   Extent extent;
   for (const KeyFrame& key_frame : key_frames) {
     const mrpt::poses::CPose3D robot = key_frame.robot_in_map->getMeanVal();
     for (const auto& observation : *key_frame.seen) {
+      if (!isSound(*observation)) {
+        throw std::invalid_argument("the pose, angles or ranges of a scan make no sense");
+      }
       mrpt::poses::CPose3D sensor_on_robot;
       observation->getSensorPose(sensor_on_robot);
       const mrpt::poses::CPose3D sensor = robot + sensor_on_robot;

@@ -97,8 +97,12 @@ KeyFrames runSlam(ScanLog log, const SlamOptions& options, const std::function<v
   }
   mrpt::maps::CSimpleMap map;
   builder->getCurrentlyBuiltMap(map);
-  return options.method == SlamMethod::Rbpf ? keepBestParticle(keyFramesOf(map))
-                                            : wholeSteps(keyFramesOf(map), log);
+  try {
+    return options.method == SlamMethod::Rbpf ? keepBestParticle(keyFramesOf(map))
+                                              : wholeSteps(keyFramesOf(map), log);
+  } catch (const std::invalid_argument& error) {
+    throw SlamError(std::string("cannot be mapped: SLAM made ") + error.what());
+  }
 }
 
 }  // namespace sbox

@@ -15,6 +15,7 @@
 
 #include "sbox/io/file_bytes.h"
 #include "sbox/io/file_error.h"
+#include "sbox/mapping/sound_scan.h"
 #include "sbox/slam/bare_observations.h"
 #include "sbox/slam/paired_entries.h"
 
@@ -102,6 +103,17 @@ void labelLidars(const ScanLog& log) {
   }
 }
 
+/// SLAM would write beside its memory.
+void checkSound(const ScanLog& log, const std::string& path) {
+  for (const LogStep& step : log.steps) {
+    for (const auto& observation : *step.seen) {
+      if (!isSound(*observation)) {
+        throw FileError(path, "is damaged: the pose, angles or ranges of a scan make no sense");
+      }
+    }
+  }
+}
+
 }  // namespace
 
 ScanLog loadScanLog(const std::string& path) {
@@ -115,6 +127,7 @@ ScanLog loadScanLog(const std::string& path) {
   if (log.steps.empty()) {
     throw FileError(path, "holds no 2D lidar scan to make a map of, but " + contentsOf(raw));
   }
+  checkSound(log, path);
   labelLidars(log);
   log.cut_off = entries.cut_off;
   return log;
