@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <mrpt/obs/CObservationComment.h>
 
+#include <limits>
+
 #include "catch.h"
 #include "io/contains.h"
 #include "io/scratch_folder.h"
@@ -169,4 +171,30 @@ TEST_CASE("a log with a scan that cannot be is refused", "[scan_log]") {
   REQUIRE(raw.saveToRawLogFile(folder.path("a.rawlog")));
   CHECK(errorOf(folder.path("a.rawlog")) ==
         "is damaged: the pose, angles or ranges of a scan make no sense");
+}
+
+TEST_CASE("a log whose odometry makes no sense is refused", "[scan_log]") {
+  mrpt::obs::CRawlog raw;
+  insertAction(raw, {1e30, 0, 0});
+  insertFrame(raw, 1);
+  const ScratchFolder folder;
+  REQUIRE(raw.saveToRawLogFile(folder.path("a.rawlog")));
+  CHECK(errorOf(folder.path("a.rawlog")) ==
+        "is damaged: a movement of its odometry makes no sense");
+}
+
+TEST_CASE("the largest number there is for a beam without an echo has no end", "[scan_log]") {
+  mrpt::obs::CRawlog raw;
+  insertAction(raw, {0, 0, 0});
+  mrpt::obs::CSensoryFrame frame;
+  const auto scan = scanRoom({}, {});
+  const float measured = scan->getScanRange(200);
+  scan->setScanRange(100, std::numeric_limits<float>::max());
+  frame.insert(scan);
+  raw.insert(frame);
+  const ScanLog log = savedAndLoaded(raw);
+  const auto& loaded =
+      dynamic_cast<mrpt::obs::CObservation2DRangeScan&>(**log.steps.at(0).seen->begin());
+  CHECK(loaded.getScanRange(100) == std::numeric_limits<float>::infinity());
+  CHECK(loaded.getScanRange(200) == measured);
 }

@@ -3,12 +3,15 @@
 #include "sbox/slam/scan_log.h"
 
 #include <mrpt/io/CFileGZInputStream.h>
+#include <mrpt/obs/CActionRobotMovement2D.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CRawlog.h>
 #include <mrpt/serialization/CArchive.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <memory>
 #include <new>
@@ -103,12 +106,36 @@ void labelLidars(const ScanLog& log) {
   }
 }
 
+/// Neither a robot between two scans nor the light of its lidar comes farther, metres.
+constexpr double kFarthest = 1e6;
+
 /// SLAM would write beside its memory.
 void checkSound(const ScanLog& log, const std::string& path) {
   for (const LogStep& step : log.steps) {
+    if (const auto moved = step.moved->getBestMovementEstimation()) {
+      const mrpt::poses::CPose2D pose = moved->poseChange->getMeanVal();
+      if (!(pose.norm() <= kFarthest && std::isfinite(pose.phi()))) {
+        throw FileError(path, "is damaged: a movement of its odometry makes no sense");
+      }
+    }
     for (const auto& observation : *step.seen) {
       if (!isSound(*observation)) {
         throw FileError(path, "is damaged: the pose, angles or ranges of a scan make no sense");
+      }
+    }
+  }
+}
+
+/// Some drivers give the largest number there is for a beam without an echo, over which ICP-SLAM's
+/// map of points stumbles.
+void unboundEcholess(const ScanLog& log) {
+  for (const LogStep& step : log.steps) {
+    for (const auto& observation : *step.seen) {
+      const auto scan = std::dynamic_pointer_cast<mrpt::obs::CObservation2DRangeScan>(observation);
+      for (size_t i = 0; scan && i < scan->getScanSize(); ++i) {
+        if (scan->getScanRange(i) > kFarthest) {
+          scan->setScanRange(i, std::numeric_limits<float>::infinity());
+        }
       }
     }
   }
@@ -128,6 +155,7 @@ ScanLog loadScanLog(const std::string& path) {
     throw FileError(path, "holds no 2D lidar scan to make a map of, but " + contentsOf(raw));
   }
   checkSound(log, path);
+  unboundEcholess(log);
   labelLidars(log);
   log.cut_off = entries.cut_off;
   return log;

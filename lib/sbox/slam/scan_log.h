@@ -31,7 +31,7 @@ struct ScanLog {
 /// observations. Bare scans of several lidars at one time make one step; odometry is interpolated
 /// to the time of each scan. Steps without 2D scans are left out, their movement is not. Of a
 /// damaged file all that comes before the damage is taken. Throws FileError, also if there is no 2D
-/// scan or one that is not sound (see isSound()).
+/// scan, one that is not sound (see isSound()), or a movement beyond measure.
 [[nodiscard]] ScanLog loadScanLog(const std::string& path);
 
 }  // namespace sbox
