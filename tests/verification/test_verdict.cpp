@@ -59,7 +59,14 @@ TEST_CASE("a rival with nothing against it keeps the best from being accepted", 
   options.rival_conflict = 0.02;
   std::vector<Fit> fits = fitsOf({0.85, 0.12});
   CHECK(decide(fits, options).verdict == Verdict::Ambiguous);
+  // The reason tells of the rival, not of a more probable fit that much speaks against.
+  fits = fitsOf({0.8, 0.14, 0.11});
+  fits[1].evidence.conflict = 30;
+  const Verdicted torn = decide(fits, options);
+  CHECK(torn.verdict == Verdict::Ambiguous);
+  CHECK(says(torn, "0.11 beside 0.80"));
   // What speaks against it.
+  fits = fitsOf({0.85, 0.12});
   fits[1].evidence.conflict = 3;
   CHECK(decide(fits, options).verdict == Verdict::Accepted);
   fits = fitsOf({0.85, 0.12});

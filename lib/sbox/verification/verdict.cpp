@@ -58,10 +58,10 @@ Verdicted decide(const std::vector<Fit>& fits, const VerdictOptions& options) {
     return {Verdict::Rejected, "no way to lay the maps over each other has walls in common"};
   }
   const Fit& best = fits.front();
-  const bool is_rivalled = std::any_of(fits.begin() + 1, fits.end(), [&](const Fit& fit) {
+  const auto rival = std::find_if(fits.begin() + 1, fits.end(), [&](const Fit& fit) {
     return hasNothingAgainst(fit, best, options);
   });
-  if (best.probability >= options.accept_from && !is_rivalled) {
+  if (best.probability >= options.accept_from && rival == fits.end()) {
     return {Verdict::Accepted, describeAgreement(best.bent_evidence)};
   }
   double any = 0;
@@ -69,8 +69,9 @@ Verdicted decide(const std::vector<Fit>& fits, const VerdictOptions& options) {
     any += fit.probability;
   }
   if (fits.size() > 1 && any >= options.accept_from) {
+    const Fit& other = rival == fits.end() ? fits[1] : *rival;
     return {Verdict::Ambiguous, "another transform explains the maps about as well (probability " +
-                                    fixedDigits(fits[1].probability, 2) + " beside " +
+                                    fixedDigits(other.probability, 2) + " beside " +
                                     fixedDigits(best.probability, 2) +
                                     "): " + describeAgreement(best.bent_evidence)};
   }
