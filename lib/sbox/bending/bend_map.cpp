@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "sbox/core/cell_corner.h"
 #include "sbox/core/parallel.h"
 #include "sbox/core/rigid_transform.h"
 #include "sbox/fusion/cell_box.h"
@@ -50,11 +51,8 @@ Map bendMap(const PlacedMap& placed, const Displacement& displacement, double mo
   const Pose2D grid_in_reference = placed.pose_in_reference + map.corner_in_map;
   const Pose2D grid_in_lattice = inverse(lattice.corner_in_reference) + grid_in_reference;
   const CellBox box = reachOf(map, grid_in_lattice, most_shift, lattice);
-  Pose2D corner = lattice.corner_in_reference;
-  const Point2D lower_left =
-      corner.composePoint({box.x_first * lattice.resolution, box.y_first * lattice.resolution});
-  corner.x = lower_left.x;
-  corner.y = lower_left.y;
+  const Pose2D corner =
+      cellCorner(lattice.corner_in_reference, lattice.resolution, box.x_first, box.y_first);
   Map bent = makeMap(map.name, box.x_end - box.x_first, box.y_end - box.y_first, lattice.resolution,
                      corner);
   const SubCellSampler sampler(

@@ -9,12 +9,13 @@
 
 #include "sbox/bending/bend_map.h"
 #include "sbox/core/parallel.h"
+#include "sbox/features/grid_pose.h"
 
 namespace sbox {
 namespace {
 
-RigidTransform gridTransform(const MapFeatures& a, const MapFeatures& b, const Pose2D& b_in_a) {
-  const Pose2D pose = inverse(a.grid_in_map) + b_in_a + b.grid_in_map;
+RigidTransform placedOn(const MapFeatures& ground, const MapFeatures& map, const Pose2D& placed) {
+  const Pose2D pose = gridPose(ground, Pose2D(), map, placed);
   return {pose.phi, {pose.x, pose.y}};
 }
 
@@ -63,7 +64,7 @@ class Ground {
 
 BentMap layOn(const MapFeatures& ground, const PlacedMap& placed, const MapFeatures& features,
               const Map& reference, const BendOptions& options) {
-  const RigidTransform transform = gridTransform(ground, features, placed.pose_in_reference);
+  const RigidTransform transform = placedOn(ground, features, placed.pose_in_reference);
   const DriftField drift = estimateDrift(ground, features, transform, options.drift);
   const EvidenceWeights weights(options.evidence);
   const Evidence as_placed = gatherEvidence(ground, features, transform, kAllPoints, weights);
@@ -111,9 +112,8 @@ std::vector<BentMap> bendMaps(const std::vector<PlacedMap>& maps, size_t referen
   }
   while (!left.empty()) {
     const auto shared = [&](size_t i) {
-      return gatherEvidence(
-                 ground.features(), features[i],
-                 gridTransform(ground.features(), features[i], maps[i].pose_in_reference))
+      return gatherEvidence(ground.features(), features[i],
+                            placedOn(ground.features(), features[i], maps[i].pose_in_reference))
           .free_free;
     };
     auto next = left.begin();

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "sbox/core/cell_corner.h"
 #include "sbox/core/cell_states.h"
 
 namespace sbox {
@@ -48,12 +49,7 @@ KnownPart knownPart(const Map& map, const CellStates& states) {
 }
 
 Pose2D cornerInMap(const Map& map, const KnownPart& part) {
-  Pose2D pose = map.corner_in_map;
-  const Point2D corner =
-      pose.composePoint({part.x_first * map.resolution(), part.y_first * map.resolution()});
-  pose.x = corner.x;
-  pose.y = corner.y;
-  return pose;
+  return cellCorner(map.corner_in_map, map.resolution(), part.x_first, part.y_first);
 }
 
 StateGrid classifyCells(const Map& map, const StateOptions& options) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "sbox/core/cell_corner.h"
 #include "sbox/core/parallel.h"
 #include "sbox/fusion/contested_cell.h"
 #include "sbox/fusion/evidence_tile.h"
@@ -47,13 +48,9 @@ void checkSize(const CellBox& box, double max_cells) {
 }
 
 Map makeMerged(const Lattice& lattice, const CellBox& box) {
-  Pose2D corner = lattice.corner_in_reference;
-  const Point2D lower_left =
-      corner.composePoint({box.x_first * lattice.resolution, box.y_first * lattice.resolution});
-  corner.x = lower_left.x;
-  corner.y = lower_left.y;
-  return makeMap("merged", box.x_end - box.x_first, box.y_end - box.y_first, lattice.resolution,
-                 corner);
+  return makeMap(
+      "merged", box.x_end - box.x_first, box.y_end - box.y_first, lattice.resolution,
+      cellCorner(lattice.corner_in_reference, lattice.resolution, box.x_first, box.y_first));
 }
 
 struct Counts {

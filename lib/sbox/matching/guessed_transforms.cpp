@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "sbox/core/round.h"
+#include "sbox/features/grid_pose.h"
 
 namespace sbox {
 namespace {
@@ -22,7 +23,7 @@ struct GuessedMiddle {
 
 GuessedMiddle guessedMiddle(const MapFeatures& a, const MapFeatures& b, const GuessedPoses& guess,
                             const GuessOptions& options) {
-  const Pose2D pose = inverse(guess.pose_a + a.grid_in_map) + guess.pose_b + b.grid_in_map;
+  const Pose2D pose = gridPose(a, guess.pose_a, b, guess.pose_b);
   GuessedMiddle middle;
   middle.heading = wrapAngle(pose.phi);
   middle.turn = options.deviations * std::hypot(guess.sigma_phi_a, guess.sigma_phi_b);
