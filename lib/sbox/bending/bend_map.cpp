@@ -60,17 +60,17 @@ Map bendMap(const PlacedMap& placed, const Displacement& displacement, double mo
   const PointMover to_grid(
       RigidTransform{grid_in_reference.phi, {grid_in_reference.x, grid_in_reference.y}}.inverse());
   parallelFor(bent.height(), lattice.threads, [&](int y) {
-    LogOdds* row = bent.grid.getRow(y);
+    CellLogOdds* row = bent.grid.getRow(y);
     for (int x = 0; x < bent.width(); ++x) {
       const Point2D here = bent.cellCentre(x, y);
       // Where it was before: the displacement there takes it here.
       Point2D before = here - displacement(here);
       before = here - displacement(before);
       const Eigen::Vector2d in_grid = to_grid({before.x, before.y});
-      row[x] = static_cast<LogOdds>(sampler
-                                        .at({toSubCells(in_grid.x() / map.resolution() - 0.5),
-                                             toSubCells(in_grid.y() / map.resolution() - 0.5)})
-                                        .whole);
+      row[x] = static_cast<CellLogOdds>(sampler
+                                            .at({toSubCells(in_grid.x() / map.resolution() - 0.5),
+                                                 toSubCells(in_grid.y() / map.resolution() - 0.5)})
+                                            .whole);
     }
   });
   return bent;

@@ -25,7 +25,7 @@ bool EvidenceTile::add(const MapLayer& layer) {
 void EvidenceTile::addAsIs(const MapLayer& layer, const CellBox& cells) {
   const int per_cell = layer.lattice_cells_per_cell;
   for (int y = cells.y_first; y < cells.y_end; ++y) {
-    const LogOdds* from = layer.map->grid.getRow(y / per_cell) + cells.x_first / per_cell;
+    const CellLogOdds* from = layer.map->grid.getRow(y / per_cell) + cells.x_first / per_cell;
     int left = per_cell - cells.x_first % per_cell;
     CellTally* to = cell(cells.x_first, y);
     for (int x = cells.x_first; x < cells.x_end; ++x) {

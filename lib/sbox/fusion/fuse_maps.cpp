@@ -70,7 +70,7 @@ Counts settleTile(const EvidenceTile& tile, const std::vector<MapLayer>& layers,
   const int offset = cells.x_first - box.x_first;
   for (int y = cells.y_first; y < cells.y_end; ++y) {
     const CellTally* tallies = tile.row(y);
-    LogOdds* out = result->merged.grid.getRow(y - box.y_first) + offset;
+    CellLogOdds* out = result->merged.grid.getRow(y - box.y_first) + offset;
     std::uint8_t* conflicts =
         result->conflicts.data() + static_cast<std::size_t>(y - box.y_first) * width + offset;
     for (int i = 0; i < cells.x_end - cells.x_first; ++i) {
@@ -84,7 +84,7 @@ Counts settleTile(const EvidenceTile& tile, const std::vector<MapLayer>& layers,
         conflicts[i] = cell.conflict ? 1 : 0;
         counts.conflicts += cell.conflict ? 1 : 0;
       }
-      out[i] = static_cast<LogOdds>(saturated(value));
+      out[i] = static_cast<CellLogOdds>(saturated(value));
     }
   }
   return counts;

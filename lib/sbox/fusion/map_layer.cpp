@@ -28,12 +28,12 @@ struct Extent {
 /// Extent of the corners of all known cells; the first and the last of each row are enough.
 Extent knownExtent(const Map& map, const Pose2D& grid_in_lattice, double lattice_resolution) {
   const double cell = map.resolution();
-  const auto known = [](LogOdds value) { return value != 0; };
+  const auto known = [](CellLogOdds value) { return value != 0; };
   Extent extent;
   for (int y = 0; y < map.height(); ++y) {
-    const LogOdds* row = map.grid.getRow(y);
-    const LogOdds* end = row + map.width();
-    const LogOdds* first = std::find_if(row, end, known);
+    const CellLogOdds* row = map.grid.getRow(y);
+    const CellLogOdds* end = row + map.width();
+    const CellLogOdds* first = std::find_if(row, end, known);
     if (first == end) {
       continue;
     }

@@ -19,7 +19,7 @@
 namespace sbox {
 
 /// A cell of MRPT's grids: log-odds of being free.
-using LogOdds = mrpt::maps::COccupancyGridMap2D::cellType;
+using CellLogOdds = mrpt::maps::COccupancyGridMap2D::cellType;
 
 /// What a map says about a place, as MRPT's log-odds of being free; both 0 where it knows nothing.
 struct CellEvidence {
@@ -39,7 +39,7 @@ class SubCellSampler {
   /// Its CellEvidence::whole, faster, where all four cells around the place are cells of the map:
   /// insideLow() <= place < insideHigh().
   [[nodiscard]] int wholeInside(const SubCell& place) const {
-    const LogOdds* cell = cells_ + (place.v >> 32) * stride_ + (place.u >> 32);
+    const CellLogOdds* cell = cells_ + (place.v >> 32) * stride_ + (place.u >> 32);
     const int a = cell[0], b = cell[1], c = cell[stride_], d = cell[stride_ + 1];
     if (a == b && c == d && a == c) {
       return a;
@@ -94,7 +94,7 @@ class SubCellSampler {
   /// that touch at their corners.
   [[nodiscard]] bool onNeck(const SubCell& place) const;
 
-  const LogOdds* cells_;
+  const CellLogOdds* cells_;
   std::int64_t stride_;
   std::int64_t width_;
   std::int64_t height_;

@@ -20,4 +20,8 @@ std::string oneLine(std::string text) {
 FileError::FileError(const std::string& path, const std::string& reason)
     : std::runtime_error(oneLine(path + ": " + reason)), path_(path), reason_(reason) {}
 
+void throwTruncated(const std::string& path, const std::string& content) {
+  throw FileError(path, "ends too early: the " + content + " is truncated");
+}
+
 }  // namespace sbox

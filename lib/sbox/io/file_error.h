@@ -23,4 +23,7 @@ class FileError : public std::runtime_error {
   std::string reason_;
 };
 
+/// Throws the FileError of a file whose content, say "image", has no end.
+[[noreturn]] void throwTruncated(const std::string& path, const std::string& content);
+
 }  // namespace sbox

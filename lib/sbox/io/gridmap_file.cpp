@@ -73,22 +73,18 @@ std::optional<std::uint32_t> statedSize(const std::string& path, std::uint64_t f
   return size;
 }
 
-[[noreturn]] void throwTruncated(const std::string& path) {
-  throw FileError(path, "ends too early: the file is truncated");
-}
-
 /// Reads MRPT's options, which matter to its own SLAM only, to be sure that the file is whole.
 void checkRest(const std::string& path, std::uint64_t file_size, int version, GzipReader& reader) {
   Bytes options(max_options_size);
   const std::size_t size = reader.read(options.data(), options.size());
   if (size == 0 || options[size - 1] != end_flag) {
-    throwTruncated(path);
+    throwTruncated(path, "file");
   }
   // From version 6 on there is an object within the options, whose own flag must not be taken for
   // the last one: two floats and a truth value lie between them.
   constexpr std::size_t nested_flag = 2 * sizeof(float) + 1 + 2;
   if (version >= 6 && (size < nested_flag || options[size - nested_flag] != end_flag)) {
-    throwTruncated(path);
+    throwTruncated(path, "file");
   }
   // A wrong checksum comes to light only when there is no more to read.
   if (reader.read(options.data(), options.size()) != 0) {
@@ -96,7 +92,7 @@ void checkRest(const std::string& path, std::uint64_t file_size, int version, Gz
   }
   const std::optional<std::uint32_t> stated = statedSize(path, file_size);
   if (stated && *stated != static_cast<std::uint32_t>(reader.total())) {
-    throwTruncated(path);
+    throwTruncated(path, "file");
   }
 }
 
@@ -179,12 +175,12 @@ Map loadGridmap(const std::string& path) {
   const GridmapHeader header = readGridmapHeader(path, start);
   const std::size_t cells = static_cast<std::size_t>(header.width) * header.height;
   if (cells > file_size * max_compression) {
-    throwTruncated(path);
+    throwTruncated(path, "file");
   }
   Map map = makeMap(path, static_cast<int>(header.width), static_cast<int>(header.height),
                     header.resolution, {header.x_min, header.y_min, 0});
   if (reader.read(map.grid.getRow(0), cells) < cells) {
-    throwTruncated(path);
+    throwTruncated(path, "file");
   }
   checkRest(path, file_size, header.version, reader);
   return map;

@@ -65,7 +65,7 @@ Image loadImage(const std::string& path) {
   }
   checkMapSize(path, header->width, header->height);
   if (!header->whole) {
-    throw FileError(path, "ends too early: the image is truncated");
+    throwTruncated(path, "image");
   }
   switch (header->kind) {
     case ImageKind::Pnm:

@@ -16,7 +16,7 @@
 namespace sbox {
 namespace {
 
-constexpr std::uint64_t kMostBytes = 1 << 24;
+constexpr std::uint64_t kMostInitialBytes = 1 << 24;
 constexpr const char* kBlank = " \t\r";
 
 /// The last word, which is cut off the line.
@@ -89,7 +89,7 @@ InitialGuess guessOf(std::string line, const std::vector<std::string>& names) {
 
 std::vector<InitialGuess> loadInitialGuesses(const std::string& path,
                                              const std::vector<std::string>& names) {
-  const Bytes bytes = readFile(path, kMostBytes);
+  const Bytes bytes = readFile(path, kMostInitialBytes);
   std::istringstream lines(std::string(bytes.begin(), bytes.end()));
   std::vector<InitialGuess> guesses;
   int number = 0;

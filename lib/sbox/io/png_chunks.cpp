@@ -57,7 +57,7 @@ Bytes essentialPngChunks(const std::string& path, const Bytes& png) {
     }
     at += frame_size + length;
   }
-  throw FileError(path, "ends too early: the image is truncated");
+  throwTruncated(path, "image");
 }
 
 }  // namespace sbox

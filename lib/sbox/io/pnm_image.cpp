@@ -74,10 +74,6 @@ std::optional<Header> readHeader(const Bytes& bytes) {
   return header;
 }
 
-[[noreturn]] void throwTruncated(const std::string& path) {
-  throw FileError(path, "ends too early: the image is truncated");
-}
-
 /// Table from values up to `largest` to 0..255, rounded; larger ones are white.
 Bytes scaleTable(std::uint32_t largest, std::size_t size) {
   Bytes table(size, 255);
@@ -91,7 +87,7 @@ void decodeBinary(const std::string& path, const Bytes& bytes, const Header& hea
                   Bytes& pixels) {
   const std::size_t value_size = header.largest > 255 ? 2 : 1;
   if ((bytes.size() - header.values_start) / value_size < pixels.size()) {
-    throwTruncated(path);
+    throwTruncated(path, "image");
   }
   const std::uint8_t* from = bytes.data() + header.values_start;
   const Bytes table = scaleTable(header.largest, value_size == 1 ? 256 : 65536);
@@ -112,7 +108,7 @@ void decodeText(const std::string& path, const Bytes& bytes, const Header& heade
   for (std::uint8_t& pixel : pixels) {
     const std::optional<std::uint32_t> value = numbers.next();
     if (!value && numbers.position() >= bytes.size()) {
-      throwTruncated(path);
+      throwTruncated(path, "image");
     }
     if (!value || *value > header.largest) {
       throw FileError(path, "is damaged: a pixel has no valid value");
@@ -148,7 +144,7 @@ Image decodePnm(const std::string& path, const Bytes& bytes) {
                              static_cast<std::size_t>(header->channels);
   // A value takes a byte at least, so that a short file takes little memory.
   if (bytes.size() - header->values_start < values) {
-    throwTruncated(path);
+    throwTruncated(path, "image");
   }
   image.pixels.resize(values);
   if (header->binary) {

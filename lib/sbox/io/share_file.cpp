@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kKind = "sbox-merge pairs";
 constexpr int kVersion = 2;
-constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 30;
+constexpr std::uint64_t kMostShareBytes = std::uint64_t{1} << 30;
 
 /// A pair as in the report, and which boxes match.
 Json pairWithBoxes(const MapPair& pair) {
@@ -95,7 +95,7 @@ std::string shareJson(const MatchedShare& share, const std::vector<std::string>&
 }
 
 MatchedShare loadShare(const std::string& path) {
-  const Bytes bytes = readFile(path, kMostBytes);
+  const Bytes bytes = readFile(path, kMostShareBytes);
   try {
     const Json document = Json::parse(bytes.begin(), bytes.end());
     if (document.at("kind") != kKind || document.at("version") != kVersion) {
