@@ -11,6 +11,7 @@
 
 namespace sbox {
 
+/// What a cell is taken for.
 enum class CellState : std::uint8_t { Unknown = 0, Free = 1, Occupied = 2 };
 
 /// A grid of cell states, cropped to what is known.

@@ -84,6 +84,9 @@ struct MapFeatures {
 /// An order of maps that does not depend on how they were given; equal maps have none.
 [[nodiscard]] bool comesFirst(const MapFeatures& one, const MapFeatures& other);
 
+/// The features of a map's known part, step by step as section 3.1 has them; of a map without a
+/// wall that has free space beside it they are empty(). Throws std::length_error where the known
+/// part has more cells than can be worked on.
 [[nodiscard]] MapFeatures extractFeatures(const Map& map, const FeatureOptions& options = {});
 
 }  // namespace sbox

@@ -28,7 +28,9 @@ constexpr int kSectors = 8;
 
 /// Directions in units of a 256th of a turn, so that sums wrap round by themselves.
 using ByteAngle = std::uint8_t;
+/// The nearest of the 256 directions.
 [[nodiscard]] ByteAngle toByteAngle(double radians);
+/// The sector that holds a direction.
 [[nodiscard]] inline size_t sectorOf(ByteAngle direction) {
   return static_cast<std::uint8_t>(direction + 16) >> 5;
 }
@@ -60,6 +62,7 @@ struct WallFields {
   }
 };
 
+/// The fields of a map's cells and wall points, both in the grid frame; empty where the grid is.
 [[nodiscard]] WallFields makeFields(const StateGrid& grid, const std::vector<WallPoint>& points,
                                     const FieldOptions& options = {});
 
