@@ -12,7 +12,8 @@ AnnotatedTruth annotatedTruth(const AnnotatedPair& pair, double resolution,
                               const Pose2D& corner_in_a, const Pose2D& corner_in_b) {
   const size_t count = pair.points_b.size();
   AnnotatedTruth truth;
-  truth.pose_b_in_a = framePose(trueCornerAInCornerB(pair, resolution), corner_in_a, corner_in_b);
+  truth.pose_b_in_a =
+      poseFromCorners(trueCornerAInCornerB(pair, resolution), corner_in_a, corner_in_b);
   Point2D mean(0, 0);
   for (const Point2D& point : pair.points_b) {
     mean += point * (resolution / static_cast<double>(count));

@@ -91,7 +91,7 @@ Table ratioTable(const MethodRun& run, const std::vector<std::vector<FloorSecond
       const FloorSeconds& of_b = floors[f][b];
       const FloorSeconds& larger = of_a.save + of_a.draw > of_b.save + of_b.draw ? of_a : of_b;
       const double floor = of_a.load + of_b.load + larger.save + larger.draw;
-      const StageSeconds& seconds = run.folders[f].answers[i].least;
+      const AnswerSeconds& seconds = run.folders[f].answers[i].least;
       load.add(of_a.load + of_b.load, floor);
       save.add(larger.save, floor);
       draw.add(larger.draw, floor);

@@ -68,8 +68,8 @@ Pose2D cornerTransform(const Pose2D& pose_b_in_a, const Pose2D& corner_in_a,
   return inverse(corner_in_b) + (inverse(pose_b_in_a) + corner_in_a);
 }
 
-Pose2D framePose(const Pose2D& corner_a_in_corner_b, const Pose2D& corner_in_a,
-                 const Pose2D& corner_in_b) {
+Pose2D poseFromCorners(const Pose2D& corner_a_in_corner_b, const Pose2D& corner_in_a,
+                       const Pose2D& corner_in_b) {
   return corner_in_a + (inverse(corner_a_in_corner_b) + inverse(corner_in_b));
 }
 

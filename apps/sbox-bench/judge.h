@@ -43,7 +43,7 @@ struct PoseError {
 
 /// The pose between the maps' frames, for a transform between the corners of their grids: the
 /// inverse of cornerTransform.
-[[nodiscard]] Pose2D framePose(const Pose2D& corner_a_in_corner_b, const Pose2D& corner_in_a,
-                               const Pose2D& corner_in_b);
+[[nodiscard]] Pose2D poseFromCorners(const Pose2D& corner_a_in_corner_b, const Pose2D& corner_in_a,
+                                     const Pose2D& corner_in_b);
 
 }  // namespace sbox::bench

@@ -135,10 +135,11 @@ void writeOverlay(const std::string& path, const LoadedFolder& loaded, size_t pa
   const Map& map_a = loaded.maps[static_cast<size_t>(loaded.map_of_pair[pair].first)];
   const Map& map_b = loaded.maps[static_cast<size_t>(loaded.map_of_pair[pair].second)];
   const StateGrid a = classifyCells(map_a), b = classifyCells(map_b);
-  const Pose2D truth = annotation.negative
-                           ? apart(a, b)
-                           : framePose(trueCornerAInCornerB(annotation, loaded.folder.resolution),
-                                       map_a.corner_in_map, map_b.corner_in_map);
+  const Pose2D truth =
+      annotation.negative
+          ? apart(a, b)
+          : poseFromCorners(trueCornerAInCornerB(annotation, loaded.folder.resolution),
+                            map_a.corner_in_map, map_b.corner_in_map);
   const cv::Mat left =
       panel(a, b, answer.result.has_pose ? answer.result.pose_b_in_a : apart(a, b));
   const cv::Mat right = panel(a, b, truth);

@@ -130,7 +130,7 @@ Excesses excessesOf(const LoadedFolder& loaded, size_t pair,
   for (size_t way = 0; way < kWays; ++way) {
     if (poses[way]) {
       const RigidTransform transform{poses[way]->phi, {poses[way]->x, poses[way]->y}};
-      const Pose2D pose = sbox::framePose(features[a], features[b], transform);
+      const Pose2D pose = framePose(features[a], features[b], transform);
       errors[way] = poseError(
           loaded.folder.pairs[pair], loaded.folder.resolution,
           cornerTransform(pose, loaded.maps[a].corner_in_map, loaded.maps[b].corner_in_map));

@@ -32,26 +32,26 @@ MapWork extract(const Method& method, const Map& map, int repeat) {
 
 /// The summary of each stage over its repeats.
 template <class Summary>
-StageSeconds summarise(const std::vector<StageSeconds>& runs, const MapWork& a, const MapWork& b,
-                       Summary summary) {
-  const auto over = [&](double StageSeconds::*stage) {
+AnswerSeconds summarise(const std::vector<AnswerSeconds>& runs, const MapWork& a, const MapWork& b,
+                        Summary summary) {
+  const auto over = [&](double AnswerSeconds::*stage) {
     std::vector<double> values;
     values.reserve(runs.size());
-    for (const StageSeconds& run : runs) {
+    for (const AnswerSeconds& run : runs) {
       values.push_back(run.*stage);
     }
     return summary(values);
   };
-  return {summary(a.seconds) + summary(b.seconds), over(&StageSeconds::matching),
-          over(&StageSeconds::verification), over(&StageSeconds::refinement),
-          over(&StageSeconds::pair)};
+  return {summary(a.seconds) + summary(b.seconds), over(&AnswerSeconds::matching),
+          over(&AnswerSeconds::verification), over(&AnswerSeconds::refinement),
+          over(&AnswerSeconds::pair)};
 }
 
 Answer answerPair(const Method& method, const AnnotatedPair& pair, double resolution,
                   const Map& map_a, const Map& map_b, const MapWork& a, const MapWork& b,
                   int repeat) {
   Answer answer;
-  std::vector<StageSeconds> runs;
+  std::vector<AnswerSeconds> runs;
   for (int i = 0; i < repeat; ++i) {
     const Stopwatch stopwatch;
     answer.result = method.match(a.features, b.features);

@@ -36,7 +36,7 @@ struct LoadedFolder {
 [[nodiscard]] LoadedFolder loadFolder(PairFolder folder, const RunOptions& options);
 
 /// Wall time of each stage for one pair, in seconds.
-struct StageSeconds {
+struct AnswerSeconds {
   double features = 0;  ///< Of both maps.
   double matching = 0;
   double verification = 0;
@@ -52,8 +52,8 @@ struct Answer {
   Outcome outcome = Outcome::Refused;
   std::optional<NormalisedError> normalised_error;  ///< None without covariance.
   bool candidate_right = false;  ///< The pose or one of the alternatives is right.
-  StageSeconds least;            ///< Least over the repeats, stage by stage.
-  StageSeconds middle;           ///< Median over the repeats, stage by stage.
+  AnswerSeconds least;           ///< Least over the repeats, stage by stage.
+  AnswerSeconds middle;          ///< Median over the repeats, stage by stage.
 
   /// Whether the pose, accepted or not, is right.
   [[nodiscard]] bool poseRight() const { return error && error->right; }

@@ -11,16 +11,16 @@ namespace {
 
 struct Stage {
   const char* name;
-  double StageSeconds::*seconds;
+  double AnswerSeconds::*seconds;
 };
-constexpr Stage kStages[] = {{"features (both maps)", &StageSeconds::features},
-                             {"matching", &StageSeconds::matching},
-                             {"verification", &StageSeconds::verification},
-                             {"refinement", &StageSeconds::refinement},
-                             {"pair, whole", &StageSeconds::pair}};
+constexpr Stage kStages[] = {{"features (both maps)", &AnswerSeconds::features},
+                             {"matching", &AnswerSeconds::matching},
+                             {"verification", &AnswerSeconds::verification},
+                             {"refinement", &AnswerSeconds::refinement},
+                             {"pair, whole", &AnswerSeconds::pair}};
 
-std::vector<double> milliseconds(const Group& group, StageSeconds Answer::*summary,
-                                 double StageSeconds::*stage) {
+std::vector<double> milliseconds(const Group& group, AnswerSeconds Answer::*summary,
+                                 double AnswerSeconds::*stage) {
   std::vector<double> values;
   for (const Answer* answer : group.answers) {
     values.push_back(answer->*summary.*stage * 1e3);
@@ -96,7 +96,7 @@ Table scoreTable(const MethodRun& run) {
               {}};
   for (const Group& group : groupAnswers(run)) {
     const Score s = score(group);
-    const std::vector<double> times = milliseconds(group, &Answer::least, &StageSeconds::pair);
+    const std::vector<double> times = milliseconds(group, &Answer::least, &AnswerSeconds::pair);
     table.rows.push_back({group.name, std::to_string(s.pairs), std::to_string(s.right),
                           std::to_string(s.wrong), std::to_string(s.refused),
                           std::to_string(s.right_if_answered), std::to_string(s.right_candidate),
@@ -141,7 +141,7 @@ Table comparisonTable(const std::vector<MethodRun>& runs) {
     for (const std::vector<Group>& column : groups) {
       const Score s = score(column[row]);
       const std::vector<double> times =
-          milliseconds(column[row], &Answer::least, &StageSeconds::pair);
+          milliseconds(column[row], &Answer::least, &AnswerSeconds::pair);
       cells.push_back(outcomeText(s) + "; " + formatNumber(s.excess_cells, 1) + "; " +
                       formatNumber(median(times), 1));
     }

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json secondsJson(const StageSeconds& seconds) {
+Json secondsJson(const AnswerSeconds& seconds) {
   return {{"features", seconds.features},
           {"matching", seconds.matching},
           {"verification", seconds.verification},

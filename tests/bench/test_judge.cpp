@@ -98,7 +98,7 @@ TEST_CASE("a pose between frames and one between corners are two views of one", 
   const Point2D direct = corners.composePoint(from_corner_a);
   CHECK(direct.x == Approx(from_corner_b.x));
   CHECK(direct.y == Approx(from_corner_b.y));
-  const Pose2D back = framePose(corners, corner_in_a, corner_in_b);
+  const Pose2D back = poseFromCorners(corners, corner_in_a, corner_in_b);
   CHECK(back.x == Approx(pose_b_in_a.x));
   CHECK(back.y == Approx(pose_b_in_a.y));
   CHECK(wrapAngle(back.phi - pose_b_in_a.phi) == Approx(0).margin(1e-12));

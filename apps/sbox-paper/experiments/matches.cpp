@@ -70,8 +70,8 @@ std::vector<PairMatches> countMatches(const bench::LoadedFolder& loaded, int thr
     const Map& a = loaded.maps[static_cast<size_t>(loaded.map_of_pair[index].first)];
     const Map& b = loaded.maps[static_cast<size_t>(loaded.map_of_pair[index].second)];
     const double resolution = loaded.folder.resolution;
-    const Pose2D truth = bench::framePose(bench::trueCornerAInCornerB(pair, resolution),
-                                          a.corner_in_map, b.corner_in_map);
+    const Pose2D truth = bench::poseFromCorners(bench::trueCornerAInCornerB(pair, resolution),
+                                                a.corner_in_map, b.corner_in_map);
     PairMatches& counts = result[static_cast<size_t>(i)];
     counts.group = pair.group;
     counts.a = pair.a;
