@@ -3,6 +3,7 @@
 #include "sbox-merge/arguments.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <iostream>
@@ -168,6 +169,11 @@ PairShare shareFrom(const std::string& text) {
 }
 
 void checkShare(const Arguments& arguments) {
+  if (static_cast<size_t>(arguments.share->count) > arguments.inputs.size()) {
+    throw UsageError("--pairs takes no more shares than maps, " +
+                     std::to_string(arguments.inputs.size()) + ", not " +
+                     std::to_string(arguments.share->count));
+  }
   if (arguments.report.empty()) {
     throw UsageError("--pairs needs a --report to write to");
   }
@@ -224,6 +230,16 @@ void check(const Arguments& arguments) {
   }
 }
 
+/// What a shell makes of an unset variable would else pass for an option that was not given.
+void checkValues(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    const std::vector<std::string>& values = option->results();
+    if (std::find(values.begin(), values.end(), "") != values.end()) {
+      throw UsageError(option->get_name() + " has an empty value");
+    }
+  }
+}
+
 std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 }  // namespace
@@ -247,6 +263,7 @@ std::optional<Arguments> parseArguments(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     throw UsageError(firstLine(error.what()));
   }
+  checkValues(app);
   if (!texts.config.empty()) {
     loadConfig(texts.config, arguments.merge);
   }

@@ -90,6 +90,11 @@ TEST_CASE("wrong usage ends in 2 and says what is wrong") {
     checkFailure(folder, with({"--pairs", share, "--report", "r.json"}), 2,
                  "--pairs must be K/N with K from 1 to N, not " + std::string(share));
   }
+  checkFailure(folder, with({"--pairs", "1/3", "--report", "r.json"}), 2,
+               "--pairs takes no more shares than maps, 2, not 3");
+  for (const char* option : {"--pairs", "--join", "--report", "--initial", "--method"}) {
+    checkFailure(folder, with({option, ""}), 2, std::string(option) + " has an empty value");
+  }
   checkFailure(folder, {"--in", "a.gridmap", "b.rawlog", "--pairs", "1/2", "--report", "r.json"}, 2,
                "--pairs takes maps, not logs: map b.rawlog first, then give its .simplemap");
   checkFailure(folder, with({"--pairs", "1/2"}), 2, "--pairs needs a --report to write to");
