@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: 2026 the sbox-merge authors
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Most who build this build it once: that takes a third of the time where each header and each
-# template is compiled for many files together. Those who change it want one file at a time, and so
-# do compiler caches, clang-tidy and clangd.
+# Most who build this build it once, which is fastest where each header and each template is compiled
+# for many files together. Those who change it want one file at a time, and so do compiler caches,
+# clang-tidy and clangd.
 if(CMAKE_CXX_COMPILER_LAUNCHER)
   set(at_once OFF)
 else()

@@ -33,8 +33,8 @@ struct BoxLimits {
   int max_boxes = 1500;     ///< Those with the longest real sides are kept.
 };
 
-/// The suppositional boxes of one frame's lines (section 3.1.3): two lines along each axis that
-/// face each other, real for a part of each side at least.
+/// The suppositional boxes of one frame's lines (section 3.1.3): two lines along each axis,
+/// extended where they do not reach, but real for a part of each side.
 [[nodiscard]] std::vector<WallBox> findBoxes(const AxisLines& lines, const BoxLimits& limits = {});
 
 }  // namespace sbox

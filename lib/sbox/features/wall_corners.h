@@ -34,7 +34,7 @@ struct CornerOptions {
   int max_corners = 1500;  ///< The strongest are kept.
 };
 
-/// The right angles that one frame's lines form where they meet or nearly do, strongest first.
+/// The right angles that one frame's lines form where they meet or nearly do.
 [[nodiscard]] std::vector<WallCorner> findCorners(const AxisLines& lines,
                                                   const CornerOptions& options = {});
 
