@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <mrpt/maps/CSimpleMap.h>
+
 #include <limits>
 
 #include "catch.h"
 #include "io/contains.h"
 #include "io/scratch_folder.h"
+#include "io/serialized.h"
 #include "mapping/scanned_room.h"
 #include "sbox/io/file_error.h"
 #include "sbox/io/load_map.h"
@@ -65,6 +68,28 @@ TEST_CASE("a file that is no whole simplemap is refused in one line", "[simplema
   CHECK(errorOf(folder.path("empty.simplemap")) ==
         "cannot be made a grid: there are no observations");
   CHECK(errorOf(folder.path("missing.simplemap")) == "no such file");
+}
+
+TEST_CASE("a key frame that lacks an observation is refused", "[simplemap_file]") {
+  const ScratchFolder folder;
+  const KeyFrame key_frame = keyFrame({}, {}, {});
+  mrpt::maps::CSimpleMap map;
+  map.insert(key_frame.robot_in_map, key_frame.seen);
+  folder.write("a.simplemap", withoutObject(serialized(&map), **key_frame.seen->begin()));
+  CHECK(errorOf(folder.path("a.simplemap")) ==
+        "is damaged: it holds a key frame without pose or observations");
+}
+
+TEST_CASE("more key frames than fit into the file are refused unread", "[simplemap_file]") {
+  const ScratchFolder folder;
+  const mrpt::maps::CSimpleMap map;
+  std::string bytes = serialized(&map);
+  const size_t count = bytes.size() - 1 - sizeof(std::uint32_t);  // An end mark comes after it.
+  REQUIRE(bytes.substr(count, 4) == std::string(4, '\0'));
+  bytes.replace(count, 4, "\xFF\xFF\xFF\x0F");
+  folder.write("a.simplemap", bytes);
+  CHECK(errorOf(folder.path("a.simplemap")) ==
+        "is damaged: it claims to hold more key frames than fit into it");
 }
 
 TEST_CASE("poses that are no numbers are refused", "[simplemap_file]") {

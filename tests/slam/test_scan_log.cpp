@@ -7,6 +7,7 @@
 #include "catch.h"
 #include "io/contains.h"
 #include "io/scratch_folder.h"
+#include "io/serialized.h"
 #include "sbox/io/file_error.h"
 #include "sbox/slam/scan_log.h"
 #include "slam/driven_logs.h"
@@ -157,6 +158,23 @@ TEST_CASE("a file that is no rawlog is refused in one line", "[scan_log]") {
   CHECK(errorOf(folder.path("text.rawlog")) == "cannot be read as a rawlog");
   CHECK(errorOf(folder.path("empty.rawlog")) == "is empty");
   CHECK(errorOf(folder.path("missing.rawlog")) == "no such file");
+}
+
+TEST_CASE("a frame that lacks an observation is damage", "[scan_log]") {
+  const ScratchFolder folder;
+  const mrpt::obs::CRawlog raw = pairedLog();
+  const auto& scan = **raw.getAsObservations(3)->begin();
+  std::string bytes;
+  for (size_t i = 0; i < raw.size(); ++i) {
+    bytes += serialized(raw.getAsGeneric(i).get());
+  }
+  folder.write("entries.rawlog", withoutObject(bytes, scan));
+  const ScanLog log = loadScanLog(folder.path("entries.rawlog"));
+  CHECK(log.cut_off);
+  CHECK(log.steps.size() == 1);
+  // All entries may be one object.
+  folder.write("one.rawlog", withoutObject(serialized(&raw), scan));
+  CHECK(errorOf(folder.path("one.rawlog")) == "cannot be read as a rawlog");
 }
 
 TEST_CASE("a log with a scan that cannot be is refused", "[scan_log]") {

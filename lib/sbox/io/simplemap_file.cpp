@@ -6,7 +6,10 @@
 #include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/serialization/CArchive.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <new>
 #include <stdexcept>
 
@@ -17,10 +20,30 @@ namespace sbox {
 
 using mrpt::maps::CSimpleMap;
 
+namespace {
+
+/// MRPT makes room for all the key frames that a file claims to hold before it reads the first.
+/// Throws FileError if there are more than the file can hold, were it compressed as well as can be.
+void checkCount(mrpt::io::CFileGZInputStream& in, const std::string& path, std::uint64_t bytes) {
+  auto archive = mrpt::serialization::archiveFrom(in);
+  // The name of its class behind the name's length, whose highest bit is set; then the version.
+  const auto name_length = archive.ReadAs<std::uint8_t>();
+  std::array<char, 128> name{};
+  archive.ReadBuffer(name.data(), name_length & 0x7FU);
+  archive.ReadAs<std::uint8_t>();
+  constexpr std::uint64_t least_bytes = 16, best_compression = 1032;
+  if (archive.ReadAs<std::uint32_t>() > bytes * best_compression / least_bytes) {
+    throw FileError(path, "is damaged: it claims to hold more key frames than fit into it");
+  }
+}
+
+}  // namespace
+
 KeyFrames keyFramesOf(const CSimpleMap& map) {
   KeyFrames key_frames;
   for (const auto& entry : map) {
-    if (!entry.pose || !entry.sf) {
+    if (!entry.pose || !entry.sf ||
+        std::find(entry.sf->begin(), entry.sf->end(), nullptr) != entry.sf->end()) {
       throw std::invalid_argument("a key frame without pose or observations");
     }
     const mrpt::poses::CPose3D mean = entry.pose->getMeanVal();
@@ -36,14 +59,14 @@ KeyFrames keyFramesOf(const CSimpleMap& map) {
 }
 
 KeyFrames loadKeyFrames(const std::string& path) {
-  checkReadable(path);
-  mrpt::io::CFileGZInputStream in;
-  if (!in.open(path)) {
-    throw FileError(path, "cannot be read");
-  }
+  const std::uint64_t bytes = checkReadable(path);
   CSimpleMap map;
   try {
-    mrpt::serialization::archiveFrom(in) >> map;
+    mrpt::io::CFileGZInputStream head(path), whole(path);
+    checkCount(head, path, bytes);
+    mrpt::serialization::archiveFrom(whole) >> map;
+  } catch (const FileError&) {
+    throw;
   } catch (const std::bad_alloc&) {
     throw FileError(path, "does not fit into memory, or is damaged");
   } catch (const std::exception&) {

@@ -28,6 +28,24 @@ namespace {
 using mrpt::obs::CRawlog;
 using mrpt::serialization::CSerializable;
 
+/// MRPT reads an observation that a file says is missing, or that is of no such class, as a null
+/// pointer. (A missing action it follows at once.)
+bool isWhole(const CSerializable& entry) {
+  if (const auto* frame = dynamic_cast<const mrpt::obs::CSensoryFrame*>(&entry)) {
+    return std::all_of(frame->begin(), frame->end(),
+                       [](const auto& observation) { return observation != nullptr; });
+  }
+  if (const auto* log = dynamic_cast<const CRawlog*>(&entry)) {
+    for (size_t i = 0; i < log->size(); ++i) {
+      const CSerializable::Ptr inner = log->getAsGeneric(i);
+      if (!inner || !isWhole(*inner)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 struct RawEntries {
   CRawlog log;
   bool cut_off = false;
@@ -43,10 +61,12 @@ RawEntries readRawlog(const std::string& path) {
   RawEntries entries;
   auto archive = mrpt::serialization::archiveFrom(in);
   try {
-    for (;;) {
+    while (!entries.cut_off) {
       CSerializable::Ptr entry;
       archive >> entry;
-      if (const auto whole = std::dynamic_pointer_cast<CRawlog>(entry)) {
+      if (entry && !isWhole(*entry)) {
+        entries.cut_off = true;
+      } else if (const auto whole = std::dynamic_pointer_cast<CRawlog>(entry)) {
         entries.log = *whole;
       } else if (entry) {
         entries.log.insert(entry);
