@@ -14,7 +14,7 @@ build=$2
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
-mkdir build home
+mkdir build home merge_two
 ln -s "$build" build/release
 ln -s "$source/datasets" datasets
 
