@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "command_line.h"
 #include "sbox-bench/calibration.h"
 #include "sbox-bench/cross_validation.h"
 #include "sbox-bench/fit_verdict.h"
@@ -59,12 +60,12 @@ void addOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("--only", arguments.run.only,
                  "Only pairs whose \"folder group a b\" holds this text");
   app.add_option("--every", arguments.run.every, "Only each N-th of them")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1, sbox::app::kMost));
   app.add_option("--threads", arguments.run.threads,
                  "Maps and pairs in parallel, 0: one a core (default 1)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0, sbox::app::kMost));
   app.add_option("--repeat", arguments.run.repeat, "Runs of each stage, for its time")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1, sbox::app::kMost));
   app.add_option("--answers", arguments.answers_file,
                  "Write the answers of the last method, one JSON object a line");
   app.add_option("--json", arguments.json_file, "Write every answer with its judgement");
@@ -81,7 +82,7 @@ void addOptions(CLI::App& app, Arguments& arguments) {
   app.add_option("--weights", arguments.weights,
                  "Of the folders in that fit, in their order (default 1 each): folders that are\n"
                  "cuts of the same maps share one")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::Range(0.0, 1e6));
   app.add_flag("--refinement", arguments.refinement,
                "Compare the ways of refining the transform by their error over the floor");
   app.add_flag(
@@ -223,14 +224,14 @@ int main(int argc, char** argv) {
   CLI::App app{"Runs map-joining methods over folders of map pairs with known truth"};
   Arguments arguments;
   addOptions(app, arguments);
-  try {
-    app.parse(argc, argv);
+  app.final_callback([&arguments] {
     if (arguments.methods.empty() && arguments.variants.empty() && !arguments.sets &&
         !arguments.fit_verdict && !arguments.refinement) {
       throw CLI::RequiredError("--method, --with, --sets, --fit-verdict or --refinement");
     }
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+  });
+  if (const auto exit_code = sbox::app::parseCommandLine(app, argc, argv)) {
+    return *exit_code;
   }
   // Times are of one core, and sums do not depend on how work was split.
   cv::setNumThreads(1);

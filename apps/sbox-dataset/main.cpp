@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "command_line.h"
 #include "sbox-dataset/drive.h"
 #include "sbox-dataset/fleet.h"
 #include "sbox-dataset/logged_runs.h"
@@ -133,10 +134,14 @@ int main(int argc, char** argv) {
   FleetOptions fleet;
   CLI::App* fleet_command =
       app.add_subcommand("fleet", "Map many random offices with several robots each");
-  fleet_command->add_option("--buildings", fleet.buildings, "Offices (default 10)");
-  fleet_command->add_option("--robots", fleet.robots, "Robots in each (default 5)");
-  fleet_command->add_option("--drift", fleet.drift, "Odometry noise, a factor (default 1)");
-  fleet_command->add_option("--furniture", fleet.furniture, "Its amount, a factor (default 1)");
+  fleet_command->add_option("--buildings", fleet.buildings, "Offices (default 10)")
+      ->check(CLI::Range(1, sbox::app::kMost));
+  fleet_command->add_option("--robots", fleet.robots, "Robots in each (default 5)")
+      ->check(CLI::Range(1, sbox::app::kMost));
+  fleet_command->add_option("--drift", fleet.drift, "Odometry noise, a factor (default 1)")
+      ->check(CLI::Range(0.0, 1000.0));
+  fleet_command->add_option("--furniture", fleet.furniture, "Its amount, a factor (default 1)")
+      ->check(CLI::Range(0.0, 1000.0));
   fleet_command->add_option("--seed", fleet.seed, "Seed of offices, ways and noise (default 1)");
   addFolder(fleet_command, output);
 
@@ -154,7 +159,9 @@ int main(int argc, char** argv) {
   log_command->add_option("--part", logged.parts, "NAME, first scan, poses of the part; repeat")
       ->required();
   addOutput(log_command, output);
-  CLI11_PARSE(app, argc, argv);
+  if (const auto exit_code = sbox::app::parseCommandLine(app, argc, argv)) {
+    return *exit_code;
+  }
 
   try {
     if (*cut_command) {

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "command_line.h"
 #include "sbox-paper/answers.h"
 #include "sbox-paper/page/sections.h"
 #include "sbox/core/stopwatch.h"
@@ -50,7 +51,7 @@ void addOptions(CLI::App& app, Arguments& arguments) {
       ->check(CLI::IsMember(kExperiments));
   app.add_option("--seed", arguments.seed, "Of everything random")->capture_default_str();
   app.add_option("--threads", arguments.threads, "0: one a core; changes no number")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Range(0, sbox::app::kMost))
       ->capture_default_str();
   app.add_option("--rbpf-pairs", arguments.rooms.rbpf_pairs, "Pairs of maps of rooms by RBPF-SLAM")
       ->check(CLI::Range(0, 100))
@@ -203,10 +204,8 @@ int main(int argc, char** argv) {
   CLI::App app{"Runs the experiments of the suppositional box paper and writes them as one page"};
   Arguments arguments;
   addOptions(app, arguments);
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+  if (const auto exit_code = sbox::app::parseCommandLine(app, argc, argv)) {
+    return *exit_code;
   }
   cv::setNumThreads(1);
   try {

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "command_line.h"
 #include "sbox-scale/fleet.h"
 #include "sbox-scale/two_maps.h"
 
@@ -47,13 +48,18 @@ int main(int argc, char** argv) {
   bool all_pairs = false;
   CLI::App app("Time and memory that sbox-merge takes as maps grow", "sbox-scale");
   app.add_option("--sides", sides,
-                 "Two maps of so many cells a side (default 500 1000 2000 5000 10000)");
-  app.add_option("--known", known, "Cells across what is known of each map (default: the side)");
+                 "Two maps of so many cells a side (default 500 1000 2000 5000 10000)")
+      ->check(CLI::Range(100, 100'000));
+  app.add_option("--known", known, "Cells across what is known of each map (default: the side)")
+      ->check(CLI::Range(0.0, 1e5));
   app.add_option("--fleet", fleets,
-                 "So many small maps in one call instead, five of each building: 25 50 100 200");
+                 "So many small maps in one call instead, five of each building: 25 50 100 200")
+      ->check(CLI::Range(2, sbox::app::kMost));
   app.add_flag("--all-pairs", all_pairs, "Match all pairs of the fleet, not those that look alike");
   app.add_option("--command", command, "The sbox-merge to measure (default: that of this build)");
-  CLI11_PARSE(app, argc, argv);
+  if (const auto exit_code = sbox::app::parseCommandLine(app, argc, argv)) {
+    return *exit_code;
+  }
   try {
     std::string folder = (fs::temp_directory_path() / "sbox-scale-XXXXXX").string();
     if (mkdtemp(folder.data()) == nullptr) {
