@@ -10,7 +10,7 @@ else()
   set(at_once ON)
 endif()
 option(SBOX_COMPILE_AT_ONCE
-       "Compile folder by folder, with precompiled headers: fast from scratch, slow after a change"
+       "Compile many files as one, with precompiled headers: fast from scratch, slow after a change"
        ${at_once})
 
 # sbox_precompile(TARGET <HEADER>...): reads heavy headers once, not in each file.
@@ -20,17 +20,14 @@ function(sbox_precompile target)
   endif()
 endfunction()
 
-# sbox_compile_by_folder(TARGET): compiles the sources of each folder as one, so that no two in a
-# folder may have a private name in common.
-function(sbox_compile_by_folder target)
+# sbox_compile_in_parts(TARGET PARTS): compiles so many parts of its sources, each as one, so that no
+# two of them may have a private name in common.
+function(sbox_compile_in_parts target parts)
   if(NOT SBOX_COMPILE_AT_ONCE)
     return()
   endif()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   get_target_property(sources ${target} SOURCES)
-  foreach(source ${sources})
-    get_filename_component(folder "${source}" DIRECTORY)
-    string(MAKE_C_IDENTIFIER "folder${folder}" group)
-    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
-  endforeach()
+  list(LENGTH sources count)
+  math(EXPR part_size "(${count} + ${parts} - 1) / ${parts}")
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${part_size})
 endfunction()

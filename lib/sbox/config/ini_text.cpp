@@ -12,10 +12,11 @@ namespace sbox {
 namespace {
 
 std::string trimmed(const std::string& text) {
-  const char* blanks = " \t\r\f\v";
-  const size_t first = text.find_first_not_of(blanks);
-  return first == std::string::npos ? ""
-                                    : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+  const char* white_space = " \t\r\f\v";
+  const size_t first = text.find_first_not_of(white_space);
+  return first == std::string::npos
+             ? ""
+             : text.substr(first, text.find_last_not_of(white_space) - first + 1);
 }
 
 /// A comment starts a line or follows a blank, so that values may hold its characters.

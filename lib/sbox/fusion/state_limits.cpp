@@ -6,13 +6,12 @@ namespace sbox {
 
 StateLimits stateLimits(const StateOptions& options) {
   using Grid = mrpt::maps::COccupancyGridMap2D;
-  using Cell = Grid::cellType;
   StateLimits limits{128, -128};
   for (int value = 127; value > 0; --value) {
-    if (Grid::l2p(static_cast<Cell>(value)) >= options.free_above) {
+    if (Grid::l2p(static_cast<Grid::cellType>(value)) >= options.free_above) {
       limits.free_from = value;
     }
-    if (Grid::l2p(static_cast<Cell>(-value)) < options.occupied_below) {
+    if (Grid::l2p(static_cast<Grid::cellType>(-value)) < options.occupied_below) {
       limits.occupied_to = -value;
     }
   }

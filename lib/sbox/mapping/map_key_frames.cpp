@@ -17,7 +17,7 @@ namespace {
 using Grid = mrpt::maps::COccupancyGridMap2D;
 
 /// A box that grows around points.
-struct Extent {
+struct SeenExtent {
   double x_min = std::numeric_limits<double>::infinity();
   double x_max = -std::numeric_limits<double>::infinity();
   double y_min = std::numeric_limits<double>::infinity();
@@ -32,8 +32,8 @@ struct Extent {
 };
 
 /// What the beams can reach. Throws if an observation cannot be.
-Extent reach(const KeyFrames& key_frames, double max_range) {
-  Extent extent;
+SeenExtent reach(const KeyFrames& key_frames, double max_range) {
+  SeenExtent extent;
   for (const KeyFrame& key_frame : key_frames) {
     const mrpt::poses::CPose3D robot = key_frame.robot_in_map->getMeanVal();
     for (const auto& observation : *key_frame.seen) {
@@ -50,7 +50,7 @@ Extent reach(const KeyFrames& key_frames, double max_range) {
 }
 
 /// Checks the size that the map can grow to before memory is taken for it.
-void checkExtent(const Extent& extent, double resolution) {
+void checkExtent(const SeenExtent& extent, double resolution) {
   const double width = std::ceil((extent.x_max - extent.x_min) / resolution);
   const double height = std::ceil((extent.y_max - extent.y_min) / resolution);
   // Floats, in which MRPT keeps the extents, must hold a coordinate to a part of a cell.
@@ -82,7 +82,7 @@ void check(const MappingOptions& options) {
 Map mapKeyFrames(const std::string& name, const KeyFrames& key_frames,
                  const MappingOptions& options) {
   check(options);
-  const Extent extent = reach(key_frames, options.max_range);
+  const SeenExtent extent = reach(key_frames, options.max_range);
   if (!(extent.x_max >= extent.x_min)) {
     throw std::invalid_argument("there are no observations");
   }

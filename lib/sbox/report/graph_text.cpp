@@ -15,7 +15,7 @@ std::string poseNumbers(const Pose2D& pose) {
 }
 
 /// A file name that cannot end its line.
-std::string oneLine(std::string name) {
+std::string commentText(std::string name) {
   std::replace_if(
       name.begin(), name.end(), [](char letter) { return letter == '\n' || letter == '\r'; }, '?');
   return name;
@@ -47,7 +47,7 @@ std::string graphText(const MergeResult& result, const MergedGroup& group) {
   std::string vertices, edges, comments;
   for (const int member : group.members) {
     const MapOutcome& map = result.maps[static_cast<size_t>(member)];
-    comments += "# " + std::to_string(member) + ": " + oneLine(map.name) + "\n";
+    comments += "# " + std::to_string(member) + ": " + commentText(map.name) + "\n";
     vertices += "VERTEX2 " + std::to_string(member) + poseNumbers(map.placement.pose) + "\n";
   }
   for (const MapPair& pair : result.pairs) {

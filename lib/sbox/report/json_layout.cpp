@@ -31,12 +31,12 @@ std::string layOut(const nlohmann::ordered_json& json, size_t indent, size_t use
   if (!json.is_structured() || used + line.size() <= line_length) {
     return line;
   }
-  const std::string blanks(indent + 2, ' ');
+  const std::string indentation(indent + 2, ' ');
   std::string out;
   for (const auto& [key, value] : json.items()) {
     const std::string label = json.is_object() ? inLine(key) + ": " : "";
-    out.append(out.empty() ? "" : ",\n").append(blanks).append(label);
-    out.append(layOut(value, indent + 2, blanks.size() + label.size()));
+    out.append(out.empty() ? "" : ",\n").append(indentation).append(label);
+    out.append(layOut(value, indent + 2, indentation.size() + label.size()));
   }
   const std::string end(indent, ' ');
   return json.is_object() ? "{\n" + out + "\n" + end + "}" : "[\n" + out + "\n" + end + "]";

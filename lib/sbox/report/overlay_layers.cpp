@@ -20,15 +20,15 @@ cv::Mat within(const cv::Mat& mask, double metres, const PlotView& view) {
   return near;
 }
 
-struct Walls {
+struct JudgedWalls {
   cv::Mat agreeing;
   cv::Mat conflicting;
 };
 
 /// What becomes of one map's walls in the light of the other.
-Walls judge(const GridRaster& map, const GridRaster& other, const PlotView& view,
-            const OverlayOptions& options) {
-  Walls walls;
+JudgedWalls judge(const GridRaster& map, const GridRaster& other, const PlotView& view,
+                  const OverlayOptions& options) {
+  JudgedWalls walls;
   walls.agreeing = map.occupied & within(other.occupied, options.agree_within, view);
   const cv::Mat deep_free = ~within(~other.free, options.conflict_depth, view);
   walls.conflicting = map.occupied & deep_free & ~walls.agreeing;
@@ -57,8 +57,8 @@ OverlayLayers overlayLayers(const StateGrid& a, const StateGrid& b, const Pose2D
   OverlayLayers layers;
   layers.a = rasterize(a, {}, fine, min_wall);
   layers.b = rasterize(b, pose_b_in_a, fine, min_wall);
-  const Walls walls_a = judge(layers.a, layers.b, view, options);
-  const Walls walls_b = judge(layers.b, layers.a, view, options);
+  const JudgedWalls walls_a = judge(layers.a, layers.b, view, options);
+  const JudgedWalls walls_b = judge(layers.b, layers.a, view, options);
   layers.agreeing = walls_a.agreeing | walls_b.agreeing;
   layers.conflicting = walls_a.conflicting | walls_b.conflicting;
   return layers;

@@ -13,7 +13,7 @@ namespace sbox {
 namespace {
 
 /// The plot is painted larger and shrunk, which makes its edges smooth.
-constexpr int oversampling = 2;
+constexpr int overlay_oversampling = 2;
 
 }  // namespace
 
@@ -25,7 +25,8 @@ cv::Mat drawOverlay(const StateGrid& a, const StateGrid& b, const Pose2D& pose_b
   bounds.add(b, pose_b_in_a);
   const double scale = fitScale({bounds}, plot_long_side, std::min(a.resolution, b.resolution));
   const PlotView view = makeView(bounds, scale);
-  const OverlayLayers layers = overlayLayers(a, b, pose_b_in_a, view, oversampling, options);
+  const OverlayLayers layers =
+      overlayLayers(a, b, pose_b_in_a, view, overlay_oversampling, options);
 
   cv::Mat canvas(layers.agreeing.size(), CV_8UC3, palette::scalar(palette::unknown));
   canvas.setTo(palette::scalar(palette::free_of_a), layers.a.free);

@@ -11,15 +11,15 @@
 namespace sbox {
 namespace {
 
-struct Transform {
+struct RosTransform {
   std::string parent;
   std::string child;
   Pose2D pose_child_in_parent;
 };
 
-std::vector<Transform> transforms(const MergeResult& result) {
+std::vector<RosTransform> transforms(const MergeResult& result) {
   const std::vector<std::string> names = shortNames(result);
-  std::vector<Transform> all;
+  std::vector<RosTransform> all;
   for (const MergedGroup& merged : result.merged) {
     const bool main_group = &merged == &result.merged.front();
     const std::string parent = main_group ? "map" : "map_group" + std::to_string(merged.group);
@@ -38,7 +38,7 @@ std::string unit(double value) { return fixedDigits(value, 9); }
 
 std::string tfScript(const MergeResult& result) {
   std::string ros2, ros1;
-  for (const Transform& transform : transforms(result)) {
+  for (const RosTransform& transform : transforms(result)) {
     const Pose2D& pose = transform.pose_child_in_parent;
     ros2 += "ros2 run tf2_ros static_transform_publisher --x " + metres(pose.x) + " --y " +
             metres(pose.y) + " --z 0 --yaw " + unit(pose.phi) + " --pitch 0 --roll 0 --frame-id " +
@@ -54,7 +54,7 @@ std::string tfYaml(const MergeResult& result) {
   std::string text =
       "# Where each map lies in the merged map: a tf2_msgs/TFMessage for /tf_static.\n"
       "transforms:\n";
-  for (const Transform& transform : transforms(result)) {
+  for (const RosTransform& transform : transforms(result)) {
     const Pose2D& pose = transform.pose_child_in_parent;
     text += "- header: {frame_id: " + transform.parent + "}\n  child_frame_id: " + transform.child +
             "\n  transform:\n    translation: {x: " + metres(pose.x) + ", y: " + metres(pose.y) +

@@ -10,10 +10,10 @@ namespace sbox {
 namespace {
 
 /// How many cells lie in each strip, a cell wide, across one axis of the plot.
-class Histogram {
+class StripCounts {
  public:
   /// A step along a row and one up a column move by so much along the axis, in cells.
-  Histogram(double per_column, double per_row, const StateGrid& grid)
+  StripCounts(double per_column, double per_row, const StateGrid& grid)
       : per_column_(per_column), per_row_(per_row) {
     const double by_columns = per_column * (grid.width - 1), by_rows = per_row * (grid.height - 1);
     first_ = std::floor(std::min(by_columns, 0.0) + std::min(by_rows, 0.0));
@@ -63,7 +63,7 @@ void Bounds::add(const StateGrid& grid, const Pose2D& pose_in_plot) {
   const Point2D first = corner_in_plot.composePoint({grid.resolution / 2, grid.resolution / 2});
   const double c = std::cos(corner_in_plot.phi), s = std::sin(corner_in_plot.phi);
   // Where cells lie along the plot's axes, counted in cells from that of cell (0, 0).
-  Histogram along_x(c, -s, grid), along_y(s, c, grid);
+  StripCounts along_x(c, -s, grid), along_y(s, c, grid);
   int known = 0;
   const CellState* cell = grid.cells.data();
   for (int row = 0; row < grid.height; ++row) {

@@ -13,14 +13,14 @@ constexpr int font = cv::FONT_HERSHEY_SIMPLEX;
 
 /// Letters are drawn this many times larger and shrunk: OpenCV's strokes are whole pixels wide,
 /// which is too coarse for small letters.
-constexpr int oversampling = 4;
+constexpr int text_oversampling = 4;
 
 /// The font's capitals are 21 units high at scale one.
-double largeScale(const TextStyle& style) { return oversampling * style.cap_height / 21; }
+double largeScale(const TextStyle& style) { return text_oversampling * style.cap_height / 21; }
 
 int largeStroke(const TextStyle& style, double widened_by = 0) {
   const double width = style.cap_height * (style.bold ? 0.14 : 0.09) + widened_by;
-  return std::max(1, static_cast<int>(std::lround(oversampling * width)));
+  return std::max(1, static_cast<int>(std::lround(text_oversampling * width)));
 }
 
 /// OpenCV's fonts know ASCII only: one "?" for each other character of UTF-8.
@@ -44,9 +44,9 @@ void blendStrokes(cv::Mat& picture, const std::string& text, cv::Point base, con
   const auto height = static_cast<int>(std::ceil(style.cap_height));
   const cv::Rect place(base.x - pad, base.y - height - pad, textWidth(text, style) + 2 * pad,
                        height + 2 * pad);
-  cv::Mat large(place.size() * oversampling, CV_8U, cv::Scalar(0));
-  cv::putText(large, text, cv::Point(pad, height + pad) * oversampling, font, largeScale(style),
-              cv::Scalar(255), largeStroke(style, widened_by), cv::LINE_AA);
+  cv::Mat large(place.size() * text_oversampling, CV_8U, cv::Scalar(0));
+  cv::putText(large, text, cv::Point(pad, height + pad) * text_oversampling, font,
+              largeScale(style), cv::Scalar(255), largeStroke(style, widened_by), cv::LINE_AA);
   cv::Mat cover;
   cv::resize(large, cover, place.size(), 0, 0, cv::INTER_AREA);
   const cv::Rect visible = place & cv::Rect({0, 0}, picture.size());
@@ -65,7 +65,7 @@ int textWidth(const std::string& text, const TextStyle& style) {
   int base_line = 0;
   return cv::getTextSize(asciiOnly(text), font, largeScale(style), largeStroke(style), &base_line)
              .width /
-         oversampling;
+         text_oversampling;
 }
 
 void drawText(cv::Mat& picture, const std::string& text, cv::Point base, const TextStyle& style) {

@@ -11,12 +11,12 @@
 namespace sbox::html {
 namespace {
 
-struct Extent {
+struct StageExtent {
   double width = 0;
   double height = 0;
 };
 
-Extent extentOf(const PlotView& view) {
+StageExtent extentOf(const PlotView& view) {
   return {view.size.width / view.pixels_per_metre, view.size.height / view.pixels_per_metre};
 }
 
@@ -39,7 +39,7 @@ std::string wholeLayer(const MaskLayer& layer) { return openLayer(layer) + "></d
 
 std::string placedLayer(const MaskLayer& layer, const PlotView& part, const Pose2D& pose_in_stage,
                         const PlotView& stage) {
-  const Extent all = extentOf(stage), own = extentOf(part);
+  const StageExtent all = extentOf(stage), own = extentOf(part);
   const Point2D corner = pose_in_stage.composePoint(part.low);
   return openLayer(layer) + " style=\"left:" + percent((corner.x - stage.low.x) / all.width) +
          ";bottom:" + percent((corner.y - stage.low.y) / all.height) +
@@ -49,7 +49,7 @@ std::string placedLayer(const MaskLayer& layer, const PlotView& part, const Pose
 }
 
 std::string stageOf(const PlotView& stage, const std::string& layers) {
-  const Extent extent = extentOf(stage);
+  const StageExtent extent = extentOf(stage);
   return "<div class=\"stage\" style=\"--ratio:" + fixedDigits(extent.width / extent.height, 4) +
          "\"><div class=\"world\">\n" + layers + scaleBar(extent.width) + "</div></div>\n";
 }
