@@ -54,6 +54,65 @@ std::optional<int> quarterTurns(const WallFrame& a, const WallFrame& b, double h
   return static_cast<int>(nearest);
 }
 
+/// A box of map b, and where it comes to lie in the grid frame of map a.
+struct Moved {
+  const WallBox* box;
+  Corners corners_in_b;
+  Corners corners_in_a;
+  double centre_x = 0;
+};
+
+Moved moveBox(const WallBox& box, const WallFrame& frame, const PointMover& to_a,
+              const DriftField& drift) {
+  Moved moved{&box, inGrid(box, frame), {}};
+  for (size_t i = 0; i < 4; ++i) {
+    const Eigen::Vector2d rigid = to_a(moved.corners_in_b[i]);
+    moved.corners_in_a[i] = rigid + drift.at(rigid);
+    moved.centre_x += moved.corners_in_a[i].x() / 4;
+  }
+  return moved;
+}
+
+/// The target's corners in the order of a box whose frame is turned by so many quarters.
+Corners turnedCorners(const Target& target, int turns) {
+  const auto shift = static_cast<size_t>(((turns % 4) + 4) % 4);
+  Corners corners;
+  for (size_t i = 0; i < 4; ++i) {
+    corners[i] = target.corners[(i + shift) % 4];
+  }
+  return corners;
+}
+
+double farthestCorners(const Corners& left, const Corners& right) {
+  double distance = 0;
+  for (size_t i = 0; i < 4; ++i) {
+    distance = std::max(distance, (left[i] - right[i]).norm());
+  }
+  return distance;
+}
+
+/// The target that the moved box lies on, if all its corners are nearer than `corner_distance`.
+const Target* targetBelow(const Moved& moved, const std::vector<Target>& targets, int turns,
+                          double corner_distance) {
+  const QuarterMask facing_in = turned(moved.box->facing_in, turns);
+  const Target* best = nullptr;
+  double best_distance = corner_distance;
+  auto target = std::lower_bound(targets.begin(), targets.end(), moved.centre_x - corner_distance,
+                                 [](const Target& t, double value) { return t.centre_x < value; });
+  for (; target != targets.end() && target->centre_x <= moved.centre_x + corner_distance;
+       ++target) {
+    if (target->box->facing_in != facing_in) {
+      continue;
+    }
+    const double distance = farthestCorners(turnedCorners(*target, turns), moved.corners_in_a);
+    if (distance < best_distance) {
+      best_distance = distance;
+      best = &*target;
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 std::vector<BoxMatch> matchBoxes(const MapFeatures& a, const MapFeatures& b,
@@ -69,41 +128,10 @@ std::vector<BoxMatch> matchBoxes(const MapFeatures& a, const MapFeatures& b,
     for (const FrameFeatures& frame_b : b.frames) {
       const std::optional<int> turns = quarterTurns(frame_a.frame, frame_b.frame, b_in_a.heading);
       for (size_t j = 0; turns && j < frame_b.boxes.size(); ++j) {
-        const WallBox& box_b = frame_b.boxes[j];
-        const Corners corners_b = inGrid(box_b, frame_b.frame);
-        Corners moved;
-        double x = 0;
-        for (size_t i = 0; i < 4; ++i) {
-          moved[i] = to_a(corners_b[i]);
-          moved[i] += drift.at(moved[i]);
-          x += moved[i].x() / 4;
-        }
-        auto target =
-            std::lower_bound(targets.begin(), targets.end(), x - options.corner_distance,
-                             [](const Target& t, double value) { return t.centre_x < value; });
-        const Target* best = nullptr;
-        double best_distance = options.corner_distance;
-        const auto shift = static_cast<size_t>(((*turns % 4) + 4) % 4);
-        for (; target != targets.end() && target->centre_x <= x + options.corner_distance;
-             ++target) {
-          if (target->box->facing_in != turned(box_b.facing_in, *turns)) {
-            continue;
-          }
-          double distance = 0;
-          for (size_t i = 0; i < 4; ++i) {
-            distance = std::max(distance, (target->corners[(i + shift) % 4] - moved[i]).norm());
-          }
-          if (distance < best_distance) {
-            best_distance = distance;
-            best = &*target;
-          }
-        }
-        if (best != nullptr) {
-          BoxMatch match{best->index, first_b + static_cast<int>(j), {}, corners_b};
-          for (size_t i = 0; i < 4; ++i) {
-            match.corners_a[i] = best->corners[(i + shift) % 4];
-          }
-          matches.push_back(match);
+        const Moved moved = moveBox(frame_b.boxes[j], frame_b.frame, to_a, drift);
+        if (const Target* target = targetBelow(moved, targets, *turns, options.corner_distance)) {
+          matches.push_back({target->index, first_b + static_cast<int>(j),
+                             turnedCorners(*target, *turns), moved.corners_in_b});
         }
       }
       first_b += static_cast<int>(frame_b.boxes.size());
