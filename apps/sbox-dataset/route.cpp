@@ -14,7 +14,7 @@
 namespace sbox::dataset {
 namespace {
 
-constexpr float kNever = std::numeric_limits<float>::infinity();
+constexpr float kUnreached = std::numeric_limits<float>::infinity();
 
 struct Step {
   int x, y;
@@ -90,7 +90,7 @@ std::vector<Point2D> RoutePlanner::route(const Point2D& from, const Point2D& to)
       clearance_[static_cast<size_t>(goal)] < radius) {
     return {};
   }
-  std::vector<float> cost(clearance_.size(), kNever);
+  std::vector<float> cost(clearance_.size(), kUnreached);
   std::vector<int> parent(clearance_.size(), -1);
   using Entry = std::pair<float, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
@@ -121,7 +121,7 @@ std::vector<Point2D> RoutePlanner::route(const Point2D& from, const Point2D& to)
       }
     }
   }
-  if (cost[static_cast<size_t>(goal)] == kNever) {
+  if (cost[static_cast<size_t>(goal)] == kUnreached) {
     return {};
   }
   std::vector<Point2D> cells;
