@@ -244,3 +244,26 @@ TEST_CASE("a round hall fits itself at any heading, and is not matched", "[pair]
   CHECK(matchPair(seen(roundHall(5), {}), seen(test::officeFloor(), {})).verdict !=
         Verdict::Accepted);
 }
+
+TEST_CASE("the number of threads changes no bit of a pair's result", "[match_pair]") {
+  const Floor floor = test::officeFloor();
+  const MapFeatures a = seen(floor, kFirstInWorld, kWest);
+  const MapFeatures b = seen(floor, {-3, 4, 1.1}, kEast);
+  PairOptions options;
+  options.sure = GENERATE(0.5, 1.01);  // Votes suffice; all is searched, too.
+  const PairResult one = matchPair(a, b, options, {}, 1);
+  REQUIRE(one.has_pose);
+  for (const int threads : {2, 5}) {
+    INFO(threads << " threads");
+    const PairResult several = matchPair(a, b, options, {}, threads);
+    CHECK(several.reason == one.reason);
+    CHECK(several.confidence == one.confidence);
+    CHECK(same(several.pose_b_in_a, one.pose_b_in_a));
+    CHECK(several.covariance == one.covariance);
+    REQUIRE(several.alternatives.size() == one.alternatives.size());
+    for (size_t i = 0; i < one.alternatives.size(); ++i) {
+      CHECK(same(several.alternatives[i].pose_b_in_a, one.alternatives[i].pose_b_in_a));
+      CHECK(several.alternatives[i].confidence == one.alternatives[i].confidence);
+    }
+  }
+}

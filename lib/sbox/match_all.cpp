@@ -125,12 +125,15 @@ std::vector<PairIndex> matchPairs(const std::vector<PairIndex>& pairs, const Mer
   const std::vector<const InitialGuess*> guesses =
       guessOfEachMap(options.initial, store.features.size());
   StageProgress progress(tell, "pairs", count);
-  parallelFor(count, options.threads, [&](int i) {
+  // Where there are fewer pairs than threads, as with two maps, several work on each.
+  const int threads = threadCount(options.threads);
+  const int threads_a_pair = std::max(1, threads / std::max(1, count));
+  parallelFor(count, threads, [&](int i) {
     progress.partBegins();
     const auto [a, b] = missing[static_cast<size_t>(i)];
-    results[static_cast<size_t>(i)] = matchMethodFeatures(*store.features[static_cast<size_t>(a)],
-                                                          *store.features[static_cast<size_t>(b)],
-                                                          options, guessOf(guesses, a, b));
+    results[static_cast<size_t>(i)] = matchMethodFeatures(
+        *store.features[static_cast<size_t>(a)], *store.features[static_cast<size_t>(b)], options,
+        guessOf(guesses, a, b), threads_a_pair);
     progress.partDone();
   });
   for (size_t i = 0; i < missing.size(); ++i) {

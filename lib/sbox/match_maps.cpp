@@ -9,7 +9,8 @@ namespace sbox {
 MatchedPair matchMaps(const Map& a, const Map& b, const MergeOptions& options) {
   const MethodFeatures of_a = extractMethodFeatures(a, options);
   const MethodFeatures of_b = extractMethodFeatures(b, options);
-  return {matchMethodFeatures(of_a, of_b, options), featureSetOf(of_a), featureSetOf(of_b)};
+  return {matchMethodFeatures(of_a, of_b, options, {}, options.threads), featureSetOf(of_a),
+          featureSetOf(of_b)};
 }
 
 }  // namespace sbox

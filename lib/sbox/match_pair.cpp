@@ -43,7 +43,7 @@ std::string describeDifference(double metres) {
 }
 
 PairResult matchInOrder(const MapFeatures& a, const MapFeatures& b, const PairOptions& options,
-                        const std::optional<GuessedPoses>& guess) {
+                        const std::optional<GuessedPoses>& guess, int threads) {
   PairResult result;
   if (a.empty() || b.empty()) {
     result.reason = a.empty() && b.empty()
@@ -51,7 +51,7 @@ PairResult matchInOrder(const MapFeatures& a, const MapFeatures& b, const PairOp
                         : "one of the maps has no wall with free space beside it";
     return result;
   }
-  std::vector<Fit> fits = findFits(a, b, options, result.seconds, guess);
+  std::vector<Fit> fits = findFits(a, b, options, result.seconds, guess, threads);
   if (fits.empty()) {
     result.reason = decide(fits, options.verdict).reason;
     return result;
@@ -125,7 +125,8 @@ Pose2D framePose(const MapFeatures& a, const MapFeatures& b, const RigidTransfor
 }
 
 std::vector<Fit> findFits(const MapFeatures& a, const MapFeatures& b, const PairOptions& options,
-                          PairSeconds& seconds, const std::optional<GuessedPoses>& guess) {
+                          PairSeconds& seconds, const std::optional<GuessedPoses>& guess,
+                          int threads) {
   std::vector<Fit> fits;
   // Fits of the hypotheses and of what was found before; whether they leave no doubt.
   const auto isSure = [&](std::vector<Hypothesis> hypotheses, bool is_thorough = false) {
@@ -133,7 +134,7 @@ std::vector<Fit> findFits(const MapFeatures& a, const MapFeatures& b, const Pair
     for (const Fit& fit : fits) {
       hypotheses.push_back({fit.b_in_a, 0});
     }
-    fits = rankHypotheses(a, b, hypotheses, options.ranking, is_thorough);
+    fits = rankHypotheses(a, b, hypotheses, options.ranking, is_thorough, threads);
     judge(fits);
     seconds.verification += stopwatch.seconds();
     return !fits.empty() && fits.front().probability >= options.sure;
@@ -159,10 +160,10 @@ std::vector<Fit> findFits(const MapFeatures& a, const MapFeatures& b, const Pair
   // What no corner or box proposes.
   stopwatch = Stopwatch();
   std::vector<Hypothesis> searched =
-      searchByCorrelation(a, b, options.correlation, options.ranking.evidence);
+      searchByCorrelation(a, b, options.correlation, options.ranking.evidence, threads);
   // The headings and cells that are tried depend on which map is turned.
   for (const Hypothesis& hypothesis :
-       searchByCorrelation(b, a, options.correlation, options.ranking.evidence)) {
+       searchByCorrelation(b, a, options.correlation, options.ranking.evidence, threads)) {
     searched.push_back({hypothesis.b_in_a.inverse(), hypothesis.votes});
   }
   seconds.matching += stopwatch.seconds();
@@ -171,17 +172,17 @@ std::vector<Fit> findFits(const MapFeatures& a, const MapFeatures& b, const Pair
 }
 
 PairResult matchPair(const MapFeatures& a, const MapFeatures& b, const PairOptions& options,
-                     const std::optional<GuessedPoses>& guess) {
+                     const std::optional<GuessedPoses>& guess, int threads) {
   // Each pair is matched in one order, whichever way round it is given.
   if (!comesFirst(b, a)) {
-    return matchInOrder(a, b, options, guess);
+    return matchInOrder(a, b, options, guess, threads);
   }
   std::optional<GuessedPoses> turned = guess;
   if (turned) {
     std::swap(turned->pose_a, turned->pose_b);
     std::swap(turned->sigma_phi_a, turned->sigma_phi_b);
   }
-  return exchanged(matchInOrder(b, a, options, turned));
+  return exchanged(matchInOrder(b, a, options, turned, threads));
 }
 
 }  // namespace sbox

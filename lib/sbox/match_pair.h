@@ -39,16 +39,18 @@ struct PairOptions {
 /// finds; the search ends where it leaves no doubt.
 [[nodiscard]] std::vector<Fit> findFits(const MapFeatures& a, const MapFeatures& b,
                                         const PairOptions& options, PairSeconds& seconds,
-                                        const std::optional<GuessedPoses>& guess = {});
+                                        const std::optional<GuessedPoses>& guess = {},
+                                        int threads = 1);
 
 /// The pose of the map frame of b in that of a, for a transform between the grid frames.
 [[nodiscard]] Pose2D framePose(const MapFeatures& a, const MapFeatures& b,
                                const RigidTransform& b_in_a);
 
 /// Matches two maps by their features. What can't be matched is refused; exchanging the maps gives
-/// the inverse, exactly. A guess tells where to look first, not what to accept.
+/// the inverse, exactly. A guess tells where to look first, not what to accept; the number of
+/// threads (0: one a core) changes nothing but the time.
 [[nodiscard]] PairResult matchPair(const MapFeatures& a, const MapFeatures& b,
                                    const PairOptions& options = {},
-                                   const std::optional<GuessedPoses>& guess = {});
+                                   const std::optional<GuessedPoses>& guess = {}, int threads = 1);
 
 }  // namespace sbox

@@ -13,9 +13,9 @@ MethodFeatures extractMethodFeatures(const Map& map, const MergeOptions& options
 
 PairResult matchMethodFeatures(const MethodFeatures& a, const MethodFeatures& b,
                                const MergeOptions& options,
-                               const std::optional<GuessedPoses>& guess) {
+                               const std::optional<GuessedPoses>& guess, int threads) {
   if (const auto* of_a = std::get_if<MapFeatures>(&a)) {
-    return matchPair(*of_a, std::get<MapFeatures>(b), options.pair, guess);
+    return matchPair(*of_a, std::get<MapFeatures>(b), options.pair, guess, threads);
   }
   return matchPaper(std::get<PaperFeatures>(a), std::get<PaperFeatures>(b), options.paper);
 }

@@ -19,11 +19,13 @@ using MethodFeatures = std::variant<MapFeatures, PaperFeatures>;
 /// Features by options.method.
 [[nodiscard]] MethodFeatures extractMethodFeatures(const Map& map, const MergeOptions& options);
 
-/// Matches two maps by the method that made their features; the published method takes no guess.
+/// Matches two maps by the method that made their features; the published method takes no guess and
+/// one thread.
 /// Throws std::bad_variant_access if these were made by different methods.
 [[nodiscard]] PairResult matchMethodFeatures(const MethodFeatures& a, const MethodFeatures& b,
                                              const MergeOptions& options,
-                                             const std::optional<GuessedPoses>& guess = {});
+                                             const std::optional<GuessedPoses>& guess = {},
+                                             int threads = 1);
 
 /// Lines, points and boxes, for reports and pictures.
 [[nodiscard]] const FeatureSet& featureSetOf(const MethodFeatures& features);

@@ -11,11 +11,13 @@
 
 namespace sbox {
 
+int threadCount(int threads) {
+  return threads > 0 ? threads
+                     : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
 void parallelFor(int count, int threads, const std::function<void(int)>& task) {
-  if (threads <= 0) {
-    threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  }
-  threads = std::min(threads, count);
+  threads = std::min(threadCount(threads), count);
   std::vector<std::exception_ptr> errors(static_cast<size_t>(std::max(count, 0)));
   std::atomic<int> next{0};
   const auto work = [&] {

@@ -9,6 +9,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "sbox/alignment/plausibility.h"
+#include "sbox/core/parallel.h"
 #include "sbox/matching/turned_bounds.h"
 
 namespace sbox {
@@ -173,7 +174,7 @@ std::vector<std::pair<double, cv::Point>> bestShifts(const cv::Mat& scores, int 
 
 std::vector<Hypothesis> searchByCorrelation(const MapFeatures& a, const MapFeatures& b,
                                             const CorrelationSearchOptions& options,
-                                            const EvidenceOptions& evidence) {
+                                            const EvidenceOptions& evidence, int threads) {
   const double largest = std::max({a.width, a.height, std::hypot(b.width, b.height)});
   const double resolution = std::max(options.resolution, largest / options.most_cells);
   const double blur = std::max(options.wall_blur, 0.8 * resolution);
@@ -187,8 +188,10 @@ std::vector<Hypothesis> searchByCorrelation(const MapFeatures& a, const MapFeatu
   blurToAgreement(pictures_a, blur, resolution);
   const Spectra spectra_a(pictures_a, size.height);
 
-  std::vector<Hypothesis> hypotheses;
-  for (const double heading : findHeadings(a, b, options.headings)) {
+  const std::vector<double> headings = findHeadings(a, b, options.headings);
+  std::vector<std::vector<Hypothesis>> of_headings(headings.size());
+  parallelFor(static_cast<int>(headings.size()), threads, [&](int i) {
+    const double heading = headings[static_cast<size_t>(i)];
     const Canvas canvas_b = canvasFor(b, heading, resolution, 0);
     const Spectra spectra_b(draw(b, heading, canvas_b, size, evidence), canvas_b.size.height);
     const cv::Mat scores = scoreShifts(spectra_a, spectra_b, resolution, options.min_agree);
@@ -198,8 +201,13 @@ std::vector<Hypothesis> searchByCorrelation(const MapFeatures& a, const MapFeatu
       const int shift_x = place.x >= canvas_a.size.width ? place.x - size.width : place.x;
       const int shift_y = place.y >= canvas_a.size.height ? place.y - size.height : place.y;
       const Eigen::Vector2d shift = Eigen::Vector2d(shift_x, shift_y) * resolution;
-      hypotheses.push_back({{heading, canvas_a.low + shift - canvas_b.low}, score});
+      of_headings[static_cast<size_t>(i)].push_back(
+          {{heading, canvas_a.low + shift - canvas_b.low}, score});
     }
+  });
+  std::vector<Hypothesis> hypotheses;
+  for (const std::vector<Hypothesis>& of_heading : of_headings) {
+    hypotheses.insert(hypotheses.end(), of_heading.begin(), of_heading.end());
   }
   std::stable_sort(
       hypotheses.begin(), hypotheses.end(),

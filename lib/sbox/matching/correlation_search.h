@@ -26,9 +26,9 @@ struct CorrelationSearchOptions {
 };
 
 /// The most plausible translations of each heading, all headings together in descending order.
-/// `evidence` says what conflicts.
+/// `evidence` says what conflicts; the number of threads (0: one a core) matters only for the time.
 [[nodiscard]] std::vector<Hypothesis> searchByCorrelation(
     const MapFeatures& a, const MapFeatures& b, const CorrelationSearchOptions& options = {},
-    const EvidenceOptions& evidence = {});
+    const EvidenceOptions& evidence = {}, int threads = 1);
 
 }  // namespace sbox

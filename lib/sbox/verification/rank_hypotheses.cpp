@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sbox/alignment/plausibility.h"
+#include "sbox/core/parallel.h"
 #include "sbox/core/pose.h"
 #include "sbox/verification/same_answer.h"
 #include "sbox/verification/verdict_model.h"
@@ -32,10 +33,11 @@ double scoreOf(const MapFeatures& a, const MapFeatures& b, const RigidTransform&
 }
 
 void score(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked>& ranked, int points,
-           const EvidenceWeights& weights) {
-  for (Ranked& candidate : ranked) {
+           const EvidenceWeights& weights, int threads) {
+  parallelFor(static_cast<int>(ranked.size()), threads, [&](int i) {
+    Ranked& candidate = ranked[static_cast<size_t>(i)];
     candidate.score = scoreOf(a, b, candidate.b_in_a, points, weights);
-  }
+  });
 }
 
 /// Whether transforms that put a point this far apart and differ by this angle are near each other.
@@ -84,20 +86,19 @@ enum class Alignment {
 
 void align(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked>& ranked,
            const AlignmentOptions& wide, Alignment how, const RankingOptions& options,
-           const EvidenceWeights& weights) {
+           const EvidenceWeights& weights, int threads) {
   const int points = 2 * options.fine_points;
-  if (how == Alignment::Wide) {
-    for (Ranked& candidate : ranked) {
-      candidate.b_in_a = alignWalls(a, b, candidate.b_in_a, wide);
-    }
-    score(a, b, ranked, points, weights);
-    return;
-  }
   AlignmentOptions narrow = wide;
   narrow.kernel = options.narrow_kernel;
-  score(a, b, ranked, points, weights);
-  for (Ranked& candidate : ranked) {
+  parallelFor(static_cast<int>(ranked.size()), threads, [&](int i) {
+    Ranked& candidate = ranked[static_cast<size_t>(i)];
     const RigidTransform start = candidate.b_in_a;
+    if (how == Alignment::Wide) {
+      candidate.b_in_a = alignWalls(a, b, start, wide);
+      candidate.score = scoreOf(a, b, candidate.b_in_a, points, weights);
+      return;
+    }
+    candidate.score = scoreOf(a, b, start, points, weights);
     for (const AlignmentOptions& alignment : {wide, narrow}) {
       const RigidTransform aligned = alignWalls(a, b, start, alignment);
       const double aligned_score = scoreOf(a, b, aligned, points, weights);
@@ -105,7 +106,7 @@ void align(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked>& rank
         candidate = {aligned, aligned_score};
       }
     }
-  }
+  });
 }
 
 /// How far apart walls are, metres: free area over length of wall.
@@ -142,19 +143,24 @@ void weighFit(const MapFeatures& a, const MapFeatures& b, const RankingOptions& 
 /// one answer the likelier fit stays.
 void addFits(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked> ranked, Alignment how,
              const RankingOptions& options, const EvidenceWeights& weights,
-             const EvidenceWeights& bent_weights, std::vector<Fit>& fits) {
+             const EvidenceWeights& bent_weights, int threads, std::vector<Fit>& fits) {
   const Eigen::Vector2d centre_b = b.middle();
   for (const AlignmentOptions& alignment : {options.first_alignment, options.alignment}) {
-    align(a, b, ranked, alignment, how, options, weights);
+    align(a, b, ranked, alignment, how, options, weights, threads);
     keepBest(ranked, options.aligned);
     keepDistinct(ranked, options.kept, centre_b, options);
   }
-  for (const Ranked& candidate : ranked) {
-    if (candidate.score <= kImplausible ||
-        candidate.score < ranked.front().score - options.kept_within) {
-      break;
-    }
-    Fit fit = fitOf(a, b, candidate.b_in_a, options, weights, bent_weights);
+  const auto is_hopeless = [&](const Ranked& candidate) {
+    return candidate.score <= kImplausible ||
+           candidate.score < ranked.front().score - options.kept_within;
+  };
+  ranked.erase(std::find_if(ranked.begin(), ranked.end(), is_hopeless), ranked.end());
+  std::vector<Fit> fits_of_ranked(ranked.size());
+  parallelFor(static_cast<int>(ranked.size()), threads, [&](int i) {
+    const auto index = static_cast<size_t>(i);
+    fits_of_ranked[index] = fitOf(a, b, ranked[index].b_in_a, options, weights, bent_weights);
+  });
+  for (Fit& fit : fits_of_ranked) {
     const auto same = std::find_if(fits.begin(), fits.end(), [&](const Fit& other) {
       return distanceWhenBent(a, b, fit, other) < options.same_bent;
     });
@@ -174,26 +180,27 @@ void addFits(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked> ran
 
 std::vector<Fit> rankHypotheses(const MapFeatures& a, const MapFeatures& b,
                                 const std::vector<Hypothesis>& hypotheses,
-                                const RankingOptions& options, bool is_thorough) {
+                                const RankingOptions& options, bool is_thorough, int threads) {
   std::vector<Ranked> ranked;
   ranked.reserve(hypotheses.size());
   for (const Hypothesis& hypothesis : hypotheses) {
     ranked.push_back({hypothesis.b_in_a, 0});
   }
   const EvidenceWeights weights(options.evidence), bent_weights(options.bent_evidence);
-  score(a, b, ranked, options.first_points, weights);
+  score(a, b, ranked, options.first_points, weights, threads);
   keepBest(ranked, options.first_kept);
-  score(a, b, ranked, options.coarse_points, weights);
+  score(a, b, ranked, options.coarse_points, weights, threads);
   keepBest(ranked, options.coarse_kept);
-  score(a, b, ranked, options.fine_points, weights);
+  score(a, b, ranked, options.fine_points, weights, threads);
   keepBest(ranked, options.coarse_kept);
   keepDistinct(ranked, options.aligned, b.middle(), options);
 
   std::vector<Fit> fits;
-  addFits(a, b, ranked, Alignment::Wide, options, weights, bent_weights, fits);
+  addFits(a, b, ranked, Alignment::Wide, options, weights, bent_weights, threads, fits);
   // Where walls stand nearer than the wide kernel reaches.
   if (is_thorough && wallSpacing(a, b) < options.alignment.kernel) {
-    addFits(a, b, std::move(ranked), Alignment::Careful, options, weights, bent_weights, fits);
+    addFits(a, b, std::move(ranked), Alignment::Careful, options, weights, bent_weights, threads,
+            fits);
   }
   return fits;
 }

@@ -43,10 +43,10 @@ struct RankingOptions {
 
 /// The best distinct fits, with their log odds, in no order that means anything. If thorough, a
 /// second, more careful alignment is tried, too, where walls are dense. The order of the hypotheses
-/// matters only between equals.
+/// matters only between equals, and the number of threads (0: one a core) only for the time.
 [[nodiscard]] std::vector<Fit> rankHypotheses(const MapFeatures& a, const MapFeatures& b,
                                               const std::vector<Hypothesis>& hypotheses,
                                               const RankingOptions& options = {},
-                                              bool is_thorough = false);
+                                              bool is_thorough = false, int threads = 1);
 
 }  // namespace sbox
