@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "sbox-merge/run_slams.h"
+#include "sbox-merge/trial_reading.h"
 #include "sbox/core/parallel.h"
 #include "sbox/core/state_grid.h"
 #include "sbox/io/file_error.h"
@@ -66,6 +67,11 @@ bool isRawlog(const std::string& path) {
 Inputs loadInputs(const Arguments& arguments, const ProgressFunction& tell) {
   Inputs inputs{std::vector<Map>(arguments.inputs.size()),
                 std::vector<KeyFrames>(arguments.inputs.size())};
+  for (const std::string& path : arguments.inputs) {
+    if (isSimplemap(path)) {
+      tryReading(path, [&] { static_cast<void>(loadKeyFrames(path)); });
+    }
+  }
   runSlams(arguments, tell, inputs);
   const auto count = static_cast<int>(arguments.inputs.size());
   StageProgress progress(tell, "maps loaded", count);

@@ -3,8 +3,10 @@
 #include "sbox-merge/run_slams.h"
 
 #include <iostream>
+#include <string>
 #include <utility>
 
+#include "sbox-merge/trial_reading.h"
 #include "sbox/core/parallel.h"
 #include "sbox/io/file_error.h"
 #include "sbox/slam/run_slam.h"
@@ -27,7 +29,9 @@ void runSlams(const Arguments& arguments, const ProgressFunction& tell, Inputs& 
   size_t steps = 0;
   for (size_t i = 0; i < arguments.inputs.size(); ++i) {
     if (isRawlog(arguments.inputs[i])) {
-      logs.emplace_back(i, loadScanLog(arguments.inputs[i]));
+      const std::string& path = arguments.inputs[i];
+      tryReading(path, [&] { static_cast<void>(loadScanLog(path)); });
+      logs.emplace_back(i, loadScanLog(path));
       steps += logs.back().second.steps.size();
       warn(arguments, logs.back().second, i);
     }

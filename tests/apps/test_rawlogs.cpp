@@ -10,7 +10,9 @@
 #include <mrpt/random/RandomGenerators.h>
 #include <mrpt/slam/CMonteCarloLocalization2D.h>
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -19,6 +21,7 @@
 #include "apps/check_contains.h"
 #include "apps/command.h"
 #include "catch.h"
+#include "io/serialized.h"
 #include "sbox-dataset/drive.h"
 #include "sbox-dataset/world.h"
 #include "sbox/adjustment/scan_agreement.h"
@@ -246,4 +249,20 @@ TEST_CASE("wrong choices of SLAM end in 2") {
       runMerge(folder.path(), {"--in", "a.rawlog", "b.rawlog", "--slam", "gmapping"});
   CHECK(outcome.exit_code == 2);
   checkContains(outcome.err, "--slam must be icp or rbpf, not gmapping");
+}
+
+TEST_CASE("a log whose reading would end the program is an error line") {
+  const ScratchFolder folder;
+  mrpt::obs::CActionRobotMovement2D moved;
+  moved.computeFromOdometry(mrpt::poses::CPose2D(1, 0, 0), {});
+  mrpt::obs::CActionCollection actions;
+  actions.insert(moved);
+  std::ofstream(folder / "a.rawlog") << withoutObject(serialized(&actions), moved);
+  std::ofstream(folder / "b.rawlog") << "no log";
+  const Outcome outcome = runMerge(folder.path(), {"--in", "a.rawlog", "b.rawlog"});
+  CHECK(outcome.exit_code == 1);
+  CHECK(outcome.out.empty());
+  checkContains(outcome.err, "a.rawlog: ");
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
+  CHECK(listing(folder.path()) == std::vector<std::string>{"a.rawlog", "b.rawlog"});
 }
