@@ -14,7 +14,7 @@
 namespace sbox {
 namespace {
 
-constexpr int margin = 36;
+constexpr int figure_margin = 36;
 constexpr int gap = 28;
 constexpr int min_width = 1300;
 constexpr int line_height = 46;
@@ -28,7 +28,7 @@ void drawTitle(cv::Mat& picture, const std::string& title, int width) {
   while (style.cap_height > least_cap_height && textWidth(title, style) > width) {
     style.cap_height -= 1;
   }
-  drawText(picture, shortened(title, width, style), {margin, 54}, style);
+  drawText(picture, shortened(title, width, style), {figure_margin, 54}, style);
 }
 
 /// The length of the bar in metres: a round one that takes at most 320 pixels.
@@ -120,11 +120,11 @@ cv::Mat composeFigure(const Figure& figure) {
   const int top = 84;
   const int caption_height = figure.captions.empty() ? 0 : line_height;
   const int foot = top + plots_height + caption_height + 46;
-  cv::Mat picture(foot + static_cast<int>(rows.size()) * line_height, inner_width + 2 * margin,
-                  CV_8UC3, palette::scalar(palette::paper));
+  cv::Mat picture(foot + static_cast<int>(rows.size()) * line_height,
+                  inner_width + 2 * figure_margin, CV_8UC3, palette::scalar(palette::paper));
 
   drawTitle(picture, figure.title, inner_width);
-  int x = margin + (inner_width - plots_width) / 2;
+  int x = figure_margin + (inner_width - plots_width) / 2;
   for (size_t i = 0; i < figure.plots.size(); ++i) {
     const cv::Mat& plot = figure.plots[i];
     const cv::Rect place(x, top + (plots_height - plot.rows) / 2, plot.cols, plot.rows);
@@ -137,10 +137,10 @@ cv::Mat composeFigure(const Figure& figure) {
     }
     x += plot.cols + gap;
   }
-  drawScaleBar(picture, {margin + inner_width, foot}, figure.pixels_per_metre);
+  drawScaleBar(picture, {figure_margin + inner_width, foot}, figure.pixels_per_metre);
   int y = foot;
   for (const Row& row : rows) {
-    int left = margin;
+    int left = figure_margin;
     for (const LegendEntry& entry : row.entries) {
       drawSwatch(picture, {left, y}, entry);
       drawText(picture, entry.text, {left + swatch_width + 8, y + 9}, small_style);
