@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <csignal>
-#include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 
 #include "catch.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <mrpt/maps/CSimpleMap.h>
 
+#include <cstdint>
 #include <limits>
 
 #include "catch.h"

@@ -9,7 +9,7 @@
 namespace sbox {
 namespace {
 
-constexpr int kDegrees = 360;  // A degree each.
+constexpr int kDegrees = 360;  // A bin each.
 using DegreeHistogram = std::array<double, kDegrees>;
 
 size_t degreeBin(int bin) { return static_cast<size_t>(((bin % kDegrees) + kDegrees) % kDegrees); }
