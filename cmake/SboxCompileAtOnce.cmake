@@ -20,11 +20,15 @@ function(sbox_precompile target)
   endif()
 endfunction()
 
-# sbox_compile_in_parts(TARGET PARTS): compiles so many parts of its sources, each as one, so that no
-# two of them may have a private name in common.
-function(sbox_compile_in_parts target parts)
+# sbox_compile_in_parts(TARGET MOST): compiles so many parts of its sources, each as one, or fewer
+# where the machine has fewer cores. So no two sources may have a private name in common.
+function(sbox_compile_in_parts target most)
   if(NOT SBOX_COMPILE_AT_ONCE)
     return()
+  endif()
+  cmake_host_system_information(RESULT parts QUERY NUMBER_OF_LOGICAL_CORES)
+  if(parts GREATER most)
+    set(parts ${most})
   endif()
   get_target_property(sources ${target} SOURCES)
   list(LENGTH sources count)
