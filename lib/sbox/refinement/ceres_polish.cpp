@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/refinement/ceres_polish.h"
 
-#include <ceres/autodiff_cost_function.h>
 #include <ceres/loss_function.h>
 #include <ceres/problem.h>
+#include <ceres/sized_cost_function.h>
 #include <ceres/solver.h>
 
 #include <Eigen/Cholesky>
@@ -12,57 +12,103 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "sbox/alignment/robust_kernel.h"
 
 namespace sbox {
 namespace {
 
-/// Turns `arm` by the heading in `pose` = (x, y, heading).
-template <typename T>
-Eigen::Matrix<T, 2, 1> turned(const T* pose, const Eigen::Vector2d& arm) {
-  using std::cos;
-  using std::sin;
-  const T c = cos(pose[2]), s = sin(pose[2]);
-  return {c * arm.x() - s * arm.y(), s * arm.x() + c * arm.y()};
-}
+using Vector = Eigen::Vector2d;
 
-/// Where a point that lies at `arm` from the pivot comes to in map a.
-template <typename T>
-Eigen::Matrix<T, 2, 1> placed(const T* pose, const Eigen::Vector2d& arm) {
-  return turned(pose, arm) + Eigen::Matrix<T, 2, 1>(pose[0], pose[1]);
-}
+/// A parameter block (x, y, heading): the pivot of b in map a.
+struct PivotPose {
+  Vector place;
+  double c, s;
 
-struct CornerCost {
-  Eigen::Vector2d arm, in_a;
-  Eigen::Matrix2d weight;  ///< Square root of the relative information.
-
-  template <typename T>
-  bool operator()(const T* pose, T* residuals) const {
-    Eigen::Map<Eigen::Matrix<T, 2, 1>> offset(residuals);
-    offset = weight.cast<T>() * (placed(pose, arm) - in_a.cast<T>());
-    return true;
+  explicit PivotPose(const double* parameters)
+      : place(parameters[0], parameters[1]),
+        c(std::cos(parameters[2])),
+        s(std::sin(parameters[2])) {}
+  [[nodiscard]] Vector turned(const Vector& arm) const {
+    return {c * arm.x() - s * arm.y(), s * arm.x() + c * arm.y()};
+  }
+  /// Derivative of turned() by the heading.
+  [[nodiscard]] Vector turnedAcross(const Vector& arm) const {
+    return {-s * arm.x() - c * arm.y(), c * arm.x() - s * arm.y()};
   }
 };
 
-struct WallCost {
-  Eigen::Vector2d arm, on_line, normal;
-
-  template <typename T>
-  bool operator()(const T* pose, T* residual) const {
-    residual[0] = normal.cast<T>().dot(placed(pose, arm) - on_line.cast<T>());
+/// W (R arm + t - in_a), where R and t are of the pose and W is `weight`.
+class CornerCost final : public ceres::SizedCostFunction<2, 3> {
+ public:
+  CornerCost(Vector arm, Vector in_a, Eigen::Matrix2d weight)
+      : arm_(std::move(arm)), in_a_(std::move(in_a)), weight_(std::move(weight)) {}
+  bool Evaluate(const double* const* parameters, double* residuals,
+                double** jacobians) const override {
+    const PivotPose pose(parameters[0]);
+    const Vector offset = weight_ * (pose.turned(arm_) + pose.place - in_a_);
+    residuals[0] = offset.x();
+    residuals[1] = offset.y();
+    if (jacobians != nullptr && jacobians[0] != nullptr) {
+      const Vector by_heading = weight_ * pose.turnedAcross(arm_);
+      for (int row = 0; row < 2; ++row) {
+        double* derivatives = jacobians[0] + 3 * row;
+        derivatives[0] = weight_(row, 0);
+        derivatives[1] = weight_(row, 1);
+        derivatives[2] = by_heading[row];
+      }
+    }
     return true;
   }
+
+ private:
+  Vector arm_, in_a_;
+  Eigen::Matrix2d weight_;  ///< Square root of the relative information.
 };
 
-struct LineCost {
-  Eigen::Vector2d arm, normal, point;
-
-  template <typename T>
-  bool operator()(const T* pose, T* residual) const {
-    residual[0] = turned(pose, normal).dot(placed(pose, arm) - point.cast<T>());
+/// n . (R arm + t - p), where n is the normal of a line of a through p.
+class WallCost final : public ceres::SizedCostFunction<1, 3> {
+ public:
+  WallCost(Vector arm, Vector on_line, Vector normal)
+      : arm_(std::move(arm)), on_line_(std::move(on_line)), normal_(std::move(normal)) {}
+  bool Evaluate(const double* const* parameters, double* residuals,
+                double** jacobians) const override {
+    const PivotPose pose(parameters[0]);
+    residuals[0] = normal_.dot(pose.turned(arm_) + pose.place - on_line_);
+    if (jacobians != nullptr && jacobians[0] != nullptr) {
+      jacobians[0][0] = normal_.x();
+      jacobians[0][1] = normal_.y();
+      jacobians[0][2] = normal_.dot(pose.turnedAcross(arm_));
+    }
     return true;
   }
+
+ private:
+  Vector arm_, on_line_, normal_;
+};
+
+/// R n . (R arm + t - p), where n is the normal of a line of b at `arm` from the pivot.
+class LineCost final : public ceres::SizedCostFunction<1, 3> {
+ public:
+  LineCost(Vector arm, Vector normal, Vector point)
+      : arm_(std::move(arm)), normal_(std::move(normal)), point_(std::move(point)) {}
+  bool Evaluate(const double* const* parameters, double* residuals,
+                double** jacobians) const override {
+    const PivotPose pose(parameters[0]);
+    const Vector normal = pose.turned(normal_), from_point = pose.place - point_;
+    residuals[0] = normal.dot(pose.turned(arm_) + from_point);
+    if (jacobians != nullptr && jacobians[0] != nullptr) {
+      jacobians[0][0] = normal.x();
+      jacobians[0][1] = normal.y();
+      // The arm turns with the normal, so their product stays.
+      jacobians[0][2] = pose.turnedAcross(normal_).dot(from_point);
+    }
+    return true;
+  }
+
+ private:
+  Vector arm_, normal_, point_;
 };
 
 /// Geman and McClure's loss: r^2 for small residuals, never more than scale^2.
@@ -181,20 +227,17 @@ ceres::CostFunction* createCornerCost(const CornerPair& corner, const Eigen::Vec
   const Eigen::Matrix2d root = corner.covariance.llt().matrixL();
   const Eigen::Matrix2d weight =
       corner_noise * root.triangularView<Eigen::Lower>().solve(Eigen::Matrix2d::Identity());
-  return new ceres::AutoDiffCostFunction<CornerCost, 2, 3>(
-      new CornerCost{corner.in_b - pivot_b, corner.in_a, weight});
+  return new CornerCost(corner.in_b - pivot_b, corner.in_a, weight);
 }
 
 ceres::CostFunction* createWallCost(const WallPoint& point_b, const WallPoint& line_a,
                                     const Eigen::Vector2d& pivot_b) {
-  return new ceres::AutoDiffCostFunction<WallCost, 1, 3>(
-      new WallCost{point_b.position - pivot_b, line_a.position, line_a.normal});
+  return new WallCost(point_b.position - pivot_b, line_a.position, line_a.normal);
 }
 
 ceres::CostFunction* createLineCost(const WallPoint& line_b, const WallPoint& point_a,
                                     const Eigen::Vector2d& pivot_b) {
-  return new ceres::AutoDiffCostFunction<LineCost, 1, 3>(
-      new LineCost{line_b.position - pivot_b, line_b.normal, point_a.position});
+  return new LineCost(line_b.position - pivot_b, line_b.normal, point_a.position);
 }
 
 std::optional<RigidTransform> polishByCeres(const MapFeatures& a, const MapFeatures& b,
