@@ -5,11 +5,12 @@
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
+
+#include "sbox/core/principal_axes.h"
 
 namespace sbox {
 namespace {
@@ -56,14 +57,13 @@ std::optional<Eigen::Vector2d> normalAt(const Points& points, size_t index,
     return std::nullopt;
   }
   const Eigen::Vector2d mean = sum / count;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(squares / count -
-                                                            mean * mean.transpose());
-  const double across = std::sqrt(std::max(0.0, axes.eigenvalues()[0]));
-  const double along = std::sqrt(std::max(0.0, axes.eigenvalues()[1]));
+  const PrincipalAxes axes = principalAxes(squares / count - mean * mean.transpose());
+  const double across = std::sqrt(std::max(0.0, axes.smallest));
+  const double along = std::sqrt(std::max(0.0, axes.largest));
   if (across > options.thickness || across > 0.5 * along || along == 0) {
     return std::nullopt;
   }
-  return axes.eigenvectors().col(0);
+  return axes.smallest_axis;
 }
 
 }  // namespace

@@ -45,9 +45,10 @@ struct EdgeCost {
     const T y = -s * dx + c * dy - (ce * pose_b_in_a.y - se * pose_b_in_a.x);
     const T half = turn / 2.0;
     const T along = abs(half) < 1e-4 ? 1.0 - half * half / 3.0 : half * cos(half) / sin(half);
-    Eigen::Map<Eigen::Matrix<T, 3, 1>> whitened(residuals);
-    whitened << along * x + half * y, along * y - half * x, turn;
-    root.cast<T>().template triangularView<Eigen::Lower>().solveInPlace(whitened);
+    // root^-1 (along x + half y, along y - half x, turn), by forward substitution.
+    residuals[0] = (along * x + half * y) / root(0, 0);
+    residuals[1] = (along * y - half * x - root(1, 0) * residuals[0]) / root(1, 1);
+    residuals[2] = (turn - root(2, 0) * residuals[0] - root(2, 1) * residuals[1]) / root(2, 2);
     return true;
   }
 };

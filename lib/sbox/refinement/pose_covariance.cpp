@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/refinement/pose_covariance.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -20,7 +19,7 @@ Eigen::Matrix3d toMiddle(const Eigen::Matrix3d& information) {
   const Eigen::Matrix2d shifts =
       information.topLeftCorner<2, 2>() + ridge * Eigen::Matrix2d::Identity();
   Eigen::Matrix3d lever = Eigen::Matrix3d::Identity();
-  lever.topRightCorner<2, 1>() = shifts.ldlt().solve(information.topRightCorner<2, 1>());
+  lever.topRightCorner<2, 1>() = shifts.inverse() * information.topRightCorner<2, 1>();
   return lever;
 }
 
@@ -37,7 +36,7 @@ Eigen::Matrix3d poseCovariance(const Eigen::Matrix3d& information, double roughn
   Eigen::Matrix3d weight =
       about_middle / (options.correlation_length * options.wall_noise * options.wall_noise);
   weight.diagonal() += unknown;
-  Eigen::Matrix3d covariance = weight.ldlt().solve(Eigen::Matrix3d::Identity());
+  Eigen::Matrix3d covariance = weight.inverse();
 
   constexpr double least_wall = 5, usual_wall = 50;  // Metres.
   const double wall = about_middle(0, 0) + about_middle(1, 1);

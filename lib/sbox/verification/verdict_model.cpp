@@ -2,19 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/verification/verdict_model.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "sbox/core/logit.h"
+#include "sbox/core/principal_axes.h"
 
 namespace sbox {
 
 double crossWall(const Evidence& evidence) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(evidence.facing,
-                                                              Eigen::EigenvaluesOnly);
-  return std::max(0.0, solver.eigenvalues()[0]);
+  return std::max(0.0, principalAxes(evidence.facing).smallest);
 }
 
 std::array<double, kVerdictTerms> verdictTerms(const Fit& fit) {
