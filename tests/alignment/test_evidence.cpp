@@ -241,6 +241,18 @@ TEST_CASE("a map agrees with itself and conflicts nowhere", "[alignment]") {
   CHECK(apart.free_free == 0);
 }
 
+TEST_CASE("rooms that fit are told from those that do not", "[alignment]") {
+  const MapFeatures office =
+      extractFeatures(test::exploreMap(test::officeFloor(), {2, 1, 0.3}, 0.1));
+  CHECK(gatherEvidence(office, office, {}).rooms.all == 0);
+  const RoomCounts itself = gatherEvidence(office, office, {}, DriftField()).rooms;
+  CHECK(itself.all > 3);
+  CHECK(itself.misfit == 0);
+  const RoomCounts shifted = gatherEvidence(office, office, {0, {1.5, 1.3}}, DriftField()).rooms;
+  CHECK(shifted.misfit > 0.3 * shifted.all);
+  CHECK(gatherEvidence(office, office, {0, {500, 0}}, DriftField()).rooms.all == 0);
+}
+
 TEST_CASE("walls conflict more the deeper they stand in free space", "[alignment]") {
   EvidenceOptions options;
   options.conflict_from = 0.2;

@@ -17,10 +17,10 @@ struct OneWay {
 };
 
 /// The walls and free space of `from` looked up in the fields of `to`; `place` tells where a point
-/// of the one lies in the other.
-template <typename Place>
+/// of the one lies in the other. Calls note(i, wall) with what was found of the i-th wall point.
+template <typename Place, typename Note>
 OneWay lookUp(const MapFeatures& from, const MapFeatures& to, double heading, const Place& place,
-              size_t most_points, const EvidenceWeights& weights) {
+              size_t most_points, const EvidenceWeights& weights, const Note& note) {
   const WallFields& fields = to.fields;
   const ByteAngle turn = toByteAngle(heading);
   OneWay sum;
@@ -32,19 +32,16 @@ OneWay lookUp(const MapFeatures& from, const MapFeatures& to, double heading, co
         const auto agree = static_cast<double>(weights.agree[distance]);
         const WallPoint& point = from.wall_points[i];
         sum.facing += agree * point.normal * point.normal.transpose();
-        WallSums& part = point.line_length >= weights.straight_from ? sum.straight : sum.clutter;
-        part.agree += agree;
-        part.conflict += static_cast<double>(weights.conflict[depth]) * (1 - agree);
         // Where the other map is free, it knows of the wall in full.
-        part.known += std::max(agree, static_cast<double>(depth > 0));
+        const WallSums wall = {std::max(agree, static_cast<double>(depth > 0)), agree,
+                               static_cast<double>(weights.conflict[depth]) * (1 - agree)};
+        (point.line_length >= weights.straight_from ? sum.straight : sum.clutter) += wall;
+        note(i, wall);
       });
   const double per_point = from.wallLengthPerPoint(walls);
   sum.facing *= per_point;
-  for (WallSums* part : {&sum.straight, &sum.clutter}) {
-    part->known *= per_point;
-    part->agree *= per_point;
-    part->conflict *= per_point;
-  }
+  sum.straight = per_point * sum.straight;
+  sum.clutter = per_point * sum.clutter;
 
   const size_t free = std::min(most_points, from.free_points.size());
   size_t free_free = 0;
@@ -58,16 +55,12 @@ OneWay lookUp(const MapFeatures& from, const MapFeatures& to, double heading, co
   return sum;
 }
 
-WallSums plus(const WallSums& left, const WallSums& right) {
-  return {left.known + right.known, left.agree + right.agree, left.conflict + right.conflict};
-}
-
 Evidence sumUp(const OneWay& there, const OneWay& back, double heading) {
   Evidence evidence;
   const Eigen::Matrix2d turn = Eigen::Rotation2Dd(heading).toRotationMatrix();
   evidence.facing = turn * there.facing * turn.transpose() + back.facing;
-  evidence.straight = plus(there.straight, back.straight);
-  static_cast<WallSums&>(evidence) = plus(evidence.straight, plus(there.clutter, back.clutter));
+  evidence.straight = there.straight + back.straight;
+  static_cast<WallSums&>(evidence) = evidence.straight + (there.clutter + back.clutter);
   evidence.free_free = 0.5 * (there.free_free + back.free_free);
   return evidence;
 }
@@ -93,9 +86,11 @@ double conflictWeight(double depth, const EvidenceOptions& options) {
 
 Evidence gatherEvidence(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
                         size_t most_points, const EvidenceWeights& weights) {
-  return sumUp(lookUp(b, a, b_in_a.heading, PointMover(b_in_a), most_points, weights),
-               lookUp(a, b, -b_in_a.heading, PointMover(b_in_a.inverse()), most_points, weights),
-               b_in_a.heading);
+  const auto ignore = [](size_t, const WallSums&) {};
+  return sumUp(
+      lookUp(b, a, b_in_a.heading, PointMover(b_in_a), most_points, weights, ignore),
+      lookUp(a, b, -b_in_a.heading, PointMover(b_in_a.inverse()), most_points, weights, ignore),
+      b_in_a.heading);
 }
 
 Evidence gatherEvidence(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
@@ -107,8 +102,20 @@ Evidence gatherEvidence(const MapFeatures& a, const MapFeatures& b, const RigidT
     return Eigen::Vector2d(rigid + drift.at(rigid));
   };
   const auto bent_to_b = [&](const Eigen::Vector2d& p) { return to_b(p - drift.at(p)); };
-  return sumUp(lookUp(b, a, b_in_a.heading, bent_to_a, most_points, weights),
-               lookUp(a, b, -b_in_a.heading, bent_to_b, most_points, weights), b_in_a.heading);
+  RoomTally rooms({0, 0}, {a.width, a.height});
+  const double length_b = b.wallLengthPerPoint(std::min(most_points, b.wall_points.size()));
+  const OneWay there = lookUp(b, a, b_in_a.heading, bent_to_a, most_points, weights,
+                              [&](size_t i, const WallSums& wall) {
+                                rooms.add(to_a(b.wall_points[i].position), length_b * wall);
+                              });
+  const double length_a = a.wallLengthPerPoint(std::min(most_points, a.wall_points.size()));
+  const OneWay back = lookUp(a, b, -b_in_a.heading, bent_to_b, most_points, weights,
+                             [&](size_t i, const WallSums& wall) {
+                               rooms.add(a.wall_points[i].position, length_a * wall);
+                             });
+  Evidence evidence = sumUp(there, back, b_in_a.heading);
+  evidence.rooms = rooms.counts();
+  return evidence;
 }
 
 }  // namespace sbox

@@ -10,6 +10,8 @@
 #include <limits>
 
 #include "sbox/alignment/drift_field.h"
+#include "sbox/alignment/room_tally.h"
+#include "sbox/alignment/wall_sums.h"
 #include "sbox/core/rigid_transform.h"
 #include "sbox/features/map_features.h"
 
@@ -25,13 +27,6 @@ struct EvidenceOptions {
   double straight_from = 1.0;
 };
 
-/// Lengths of wall, metres.
-struct WallSums {
-  double known = 0;     ///< Wall that lies where the other map knows something.
-  double agree = 0;     ///< Wall on wall that faces the same way, weighed by the kernel.
-  double conflict = 0;  ///< Wall deep in the other's free space.
-};
-
 /// Sums over both maps, each map's walls counted once.
 struct Evidence : WallSums {
   WallSums straight;  ///< Of the straight walls alone; the rest is clutter.
@@ -39,6 +34,7 @@ struct Evidence : WallSums {
   /// A small eigenvalue means that walls hardly fix the shift along its direction.
   Eigen::Matrix2d facing = Eigen::Matrix2d::Zero();
   double free_free = 0;  ///< Area free in both, square metres (mean of both counts).
+  RoomCounts rooms;      ///< Counted only once the drift is taken out.
 };
 
 /// Weight of a wall this deep (metres) in free space as a conflict, from 0 to 1.
