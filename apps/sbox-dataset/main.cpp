@@ -95,9 +95,8 @@ std::vector<NamedRun> runsOfLog(const LogArguments& arguments, const std::string
 }
 
 void addFolder(CLI::App* command, OutputArguments& output) {
-  command->add_option("--out", output.folder, "Folder to write into")
-      ->required()
-      ->check(CLI::ExistingDirectory);
+  command->add_option("--out", output.folder, "Folder to write into; made if it is not there")
+      ->required();
 }
 
 void addOutput(CLI::App* command, OutputArguments& output) {

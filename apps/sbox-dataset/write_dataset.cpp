@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <system_error>
 
 #include "sbox-dataset/truth.h"
 #include "sbox/io/save_map.h"
@@ -57,6 +58,11 @@ ordered_json negativeEntry(const Map& map_a, const Map& map_b) {
 
 void writeDataset(const std::string& folder, const std::vector<NamedRun>& runs,
                   const MappingOptions& mapping) {
+  std::error_code reason;
+  std::filesystem::create_directories(folder, reason);
+  if (reason) {
+    throw std::runtime_error(folder + ": cannot be made: " + reason.message());
+  }
   std::vector<Map> maps;
   for (const NamedRun& run : runs) {
     maps.push_back(mapRun(run.name, run.steps, mapping));

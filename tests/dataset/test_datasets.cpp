@@ -95,13 +95,15 @@ TEST_CASE("the office is what the simulator makes of it", "[datasets]") {
     runs.push_back({name, "office", drive(world, loadPath(folder + name + ".path"), options)});
   }
   const ScratchFolder scratch;
-  writeDataset(scratch.path(""), runs);
-  const json pair = readPairs(scratch.path("")).at(0), committed = readPairs(folder).at(0);
+  const std::string made = scratch.path("new/office/");
+  writeDataset(made, runs);
+  const json pair = readPairs(made).at(0), committed = readPairs(folder).at(0);
   const Pose2D pose = readPose(pair.at("pose_b_in_a"));
   const Pose2D expected = readPose(committed.at("pose_b_in_a"));
   CHECK(pose.x == Approx(expected.x).margin(0.01));
   CHECK(pose.y == Approx(expected.y).margin(0.01));
   CHECK(pose.phi == Approx(expected.phi).margin(0.001));
-  const Map map = loadMap(scratch.path("robot_a.gridmap.gz"));
+  const Map map = loadMap(made + "robot_a.gridmap.gz");
   CHECK(map.width() == loadMap(folder + "robot_a.gridmap.gz").width());
+  CHECK_THROWS_AS(writeDataset(made + "pairs.json", runs), std::runtime_error);
 }
