@@ -3,6 +3,7 @@
 #include "sbox/alignment/room_tally.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sbox {
 namespace {
@@ -16,7 +17,7 @@ constexpr double kMostConflict = 0.3;
 
 size_t squaresAlong(double length) {
   // Half a square before, and what is left over behind.
-  return static_cast<size_t>(std::max(length, 0.0) / kSide + 0.5) + 1;
+  return static_cast<size_t>(std::ceil(std::max(length, 0.0) / kSide)) + 1;
 }
 
 }  // namespace

@@ -9,8 +9,8 @@ namespace {
 
 /// The text with each byte that is not part of UTF-8 replaced.
 std::string validUtf8(const std::string& text) {
-  using json = nlohmann::ordered_json;
-  return json::parse(json(text).dump(-1, ' ', false, json::error_handler_t::replace))
+  using Json = nlohmann::ordered_json;
+  return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace))
       .get<std::string>();
 }
 
