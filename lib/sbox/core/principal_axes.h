@@ -6,12 +6,12 @@
 
 namespace sbox {
 
-/// Eigenvalues of a symmetric 2x2 matrix, and the direction of the smaller: of a scatter of points,
-/// the direction across the line that fits them best.
+/// What a symmetric 2x2 matrix does along its axes: of a scatter of points, along the line that
+/// fits them best and across it.
 struct PrincipalAxes {
-  double largest = 0;
-  double smallest = 0;
-  Eigen::Vector2d smallest_axis = Eigen::Vector2d::UnitY();  ///< Of length 1; either sign.
+  double largest = 0;                                        ///< The larger eigenvalue.
+  double smallest = 0;                                       ///< The smaller.
+  Eigen::Vector2d smallest_axis = Eigen::Vector2d::UnitY();  ///< Its direction; either sign.
 };
 
 /// In closed form; only the lower triangle is read.
