@@ -96,7 +96,8 @@ std::vector<NamedRun> runsOfLog(const LogArguments& arguments, const std::string
 
 void addFolder(CLI::App* command, OutputArguments& output) {
   command->add_option("--out", output.folder, "Folder to write into; made if it is not there")
-      ->required();
+      ->required()
+      ->check(CLI::ExistingDirectory | CLI::NonexistentPath);
 }
 
 void addOutput(CLI::App* command, OutputArguments& output) {

@@ -17,7 +17,8 @@ struct OneWay {
 };
 
 /// The walls and free space of `from` looked up in the fields of `to`; `place` tells where a point
-/// of the one lies in the other. Calls note(i, wall) with what was found of the i-th wall point.
+/// of the one lies in the other. Calls note(i, wall) with what was found of the i-th wall point,
+/// metres.
 template <typename Place, typename Note>
 OneWay lookUp(const MapFeatures& from, const MapFeatures& to, double heading, const Place& place,
               size_t most_points, const EvidenceWeights& weights, const Note& note) {
@@ -25,6 +26,7 @@ OneWay lookUp(const MapFeatures& from, const MapFeatures& to, double heading, co
   const ByteAngle turn = toByteAngle(heading);
   OneWay sum;
   const size_t walls = std::min(most_points, from.wall_points.size());
+  const double per_point = from.wallLengthPerPoint(walls);
   forEachField(
       fields, walls, [&](size_t i) { return place(from.wall_points[i].position); },
       [&](size_t i) { return static_cast<ByteAngle>(from.wall_directions[i] + turn); },
@@ -36,9 +38,8 @@ OneWay lookUp(const MapFeatures& from, const MapFeatures& to, double heading, co
         const WallSums wall = {std::max(agree, static_cast<double>(depth > 0)), agree,
                                static_cast<double>(weights.conflict[depth]) * (1 - agree)};
         (point.line_length >= weights.straight_from ? sum.straight : sum.clutter) += wall;
-        note(i, wall);
+        note(i, per_point * wall);
       });
-  const double per_point = from.wallLengthPerPoint(walls);
   sum.facing *= per_point;
   sum.straight = per_point * sum.straight;
   sum.clutter = per_point * sum.clutter;
@@ -103,16 +104,12 @@ Evidence gatherEvidence(const MapFeatures& a, const MapFeatures& b, const RigidT
   };
   const auto bent_to_b = [&](const Eigen::Vector2d& p) { return to_b(p - drift.at(p)); };
   RoomTally rooms({0, 0}, {a.width, a.height});
-  const double length_b = b.wallLengthPerPoint(std::min(most_points, b.wall_points.size()));
-  const OneWay there = lookUp(b, a, b_in_a.heading, bent_to_a, most_points, weights,
-                              [&](size_t i, const WallSums& wall) {
-                                rooms.add(to_a(b.wall_points[i].position), length_b * wall);
-                              });
-  const double length_a = a.wallLengthPerPoint(std::min(most_points, a.wall_points.size()));
-  const OneWay back = lookUp(a, b, -b_in_a.heading, bent_to_b, most_points, weights,
-                             [&](size_t i, const WallSums& wall) {
-                               rooms.add(a.wall_points[i].position, length_a * wall);
-                             });
+  const OneWay there = lookUp(
+      b, a, b_in_a.heading, bent_to_a, most_points, weights,
+      [&](size_t i, const WallSums& wall) { rooms.add(to_a(b.wall_points[i].position), wall); });
+  const OneWay back =
+      lookUp(a, b, -b_in_a.heading, bent_to_b, most_points, weights,
+             [&](size_t i, const WallSums& wall) { rooms.add(a.wall_points[i].position, wall); });
   Evidence evidence = sumUp(there, back, b_in_a.heading);
   evidence.rooms = rooms.counts();
   return evidence;

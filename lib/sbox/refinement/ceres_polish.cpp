@@ -21,23 +21,14 @@ namespace {
 
 using Vector = Eigen::Vector2d;
 
-/// A parameter block (x, y, heading): the pivot of b in map a.
-struct PivotPose {
-  Vector place;
-  double c, s;
+/// By a parameter block (x, y, heading), the pose of the pivot of b in map a: moves what is given
+/// from the pivot.
+PointMover moverOf(const double* pose) { return PointMover({pose[2], Vector(pose[0], pose[1])}); }
 
-  explicit PivotPose(const double* parameters)
-      : place(parameters[0], parameters[1]),
-        c(std::cos(parameters[2])),
-        s(std::sin(parameters[2])) {}
-  [[nodiscard]] Vector turned(const Vector& arm) const {
-    return {c * arm.x() - s * arm.y(), s * arm.x() + c * arm.y()};
-  }
-  /// Derivative of turned() by the heading.
-  [[nodiscard]] Vector turnedAcross(const Vector& arm) const {
-    return {-s * arm.x() - c * arm.y(), c * arm.x() - s * arm.y()};
-  }
-};
+/// Derivative of the turned arm by the heading.
+Vector turnedAcross(const PointMover& pose, const Vector& arm) {
+  return pose.turn(Vector(-arm.y(), arm.x()));
+}
 
 /// W (R arm + t - in_a), where R and t are of the pose and W is `weight`.
 class CornerCost final : public ceres::SizedCostFunction<2, 3> {
@@ -46,12 +37,12 @@ class CornerCost final : public ceres::SizedCostFunction<2, 3> {
       : arm_(std::move(arm)), in_a_(std::move(in_a)), weight_(std::move(weight)) {}
   bool Evaluate(const double* const* parameters, double* residuals,
                 double** jacobians) const override {
-    const PivotPose pose(parameters[0]);
-    const Vector offset = weight_ * (pose.turned(arm_) + pose.place - in_a_);
+    const PointMover pose = moverOf(parameters[0]);
+    const Vector offset = weight_ * (pose(arm_) - in_a_);
     residuals[0] = offset.x();
     residuals[1] = offset.y();
     if (jacobians != nullptr && jacobians[0] != nullptr) {
-      const Vector by_heading = weight_ * pose.turnedAcross(arm_);
+      const Vector by_heading = weight_ * turnedAcross(pose, arm_);
       for (int row = 0; row < 2; ++row) {
         double* derivatives = jacobians[0] + 3 * row;
         derivatives[0] = weight_(row, 0);
@@ -74,12 +65,12 @@ class WallCost final : public ceres::SizedCostFunction<1, 3> {
       : arm_(std::move(arm)), on_line_(std::move(on_line)), normal_(std::move(normal)) {}
   bool Evaluate(const double* const* parameters, double* residuals,
                 double** jacobians) const override {
-    const PivotPose pose(parameters[0]);
-    residuals[0] = normal_.dot(pose.turned(arm_) + pose.place - on_line_);
+    const PointMover pose = moverOf(parameters[0]);
+    residuals[0] = normal_.dot(pose(arm_) - on_line_);
     if (jacobians != nullptr && jacobians[0] != nullptr) {
       jacobians[0][0] = normal_.x();
       jacobians[0][1] = normal_.y();
-      jacobians[0][2] = normal_.dot(pose.turnedAcross(arm_));
+      jacobians[0][2] = normal_.dot(turnedAcross(pose, arm_));
     }
     return true;
   }
@@ -95,14 +86,14 @@ class LineCost final : public ceres::SizedCostFunction<1, 3> {
       : arm_(std::move(arm)), normal_(std::move(normal)), point_(std::move(point)) {}
   bool Evaluate(const double* const* parameters, double* residuals,
                 double** jacobians) const override {
-    const PivotPose pose(parameters[0]);
-    const Vector normal = pose.turned(normal_), from_point = pose.place - point_;
-    residuals[0] = normal.dot(pose.turned(arm_) + from_point);
+    const PointMover pose = moverOf(parameters[0]);
+    const Vector normal = pose.turn(normal_), from_point = Vector(pose.x, pose.y) - point_;
+    residuals[0] = normal.dot(pose.turn(arm_) + from_point);
     if (jacobians != nullptr && jacobians[0] != nullptr) {
       jacobians[0][0] = normal.x();
       jacobians[0][1] = normal.y();
       // The arm turns with the normal, so their product stays.
-      jacobians[0][2] = pose.turnedAcross(normal_).dot(from_point);
+      jacobians[0][2] = turnedAcross(pose, normal_).dot(from_point);
     }
     return true;
   }
