@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cmath>
 #include <random>
 #include <stdexcept>
 
@@ -100,6 +102,67 @@ TEST_CASE("coarser cells are occupied if any cell is, and free if all are") {
   CHECK(drawing(resample(grid, 0.2)) == std::vector<std::string>{". #", "#. "});
   CHECK(drawing(resample(classifyCells(drawn({"#.", ".."}, 0.2, {})), 0.1)) ==
         std::vector<std::string>{"##..", "##..", "....", "...."});
+}
+
+TEST_CASE("coarser cells that overlap close walls whose cells meet at corners") {
+  const StateGrid grid = classifyCells(drawn({"..#.....",  //
+                                              "...#....",  //
+                                              "....#...",  //
+                                              ".....#..",  //
+                                              "......#.",  //
+                                              ".......#"},
+                                             0.1, {}));
+  CHECK(drawing(resample(grid, 0.2)) == std::vector<std::string>{".#..", "..#.", "...#"});
+  CHECK(drawing(resample(grid, 0.2, 1)) == std::vector<std::string>{".##.", "..##", "...#"});
+  // Finer cells have nothing to take in.
+  CHECK(drawing(resample(grid, 0.05, 1)) == drawing(resample(grid, 0.05)));
+}
+
+TEST_CASE("any resampling agrees with each cell looked up alone") {
+  std::mt19937 random(5);
+  Map map = makeMap("noise", 61, 53, 0.05);
+  for (int y = 0; y < map.height(); ++y) {
+    for (int x = 0; x < map.width(); ++x) {
+      const auto kind = random() % 12;
+      map.grid.setCell(x, y, kind == 0 ? 0.05F : kind == 1 ? 0.5F : 0.95F);
+    }
+  }
+  const StateGrid grid = classifyCells(map);
+  for (const int times : {2, 3, 4}) {
+    for (const int overlap : {0, 1, 2}) {
+      const StateGrid coarse = resample(grid, times * 0.05, overlap);
+      REQUIRE(coarse.width == (grid.width + times - 1) / times);
+      REQUIRE(coarse.height == (grid.height + times - 1) / times);
+      for (int y = 0; y < coarse.height; ++y) {
+        for (int x = 0; x < coarse.width; ++x) {
+          bool any_occupied = false, all_free = true;
+          for (int cy = std::max(0, y * times - overlap); cy < (y + 1) * times; ++cy) {
+            for (int cx = std::max(0, x * times - overlap); cx < (x + 1) * times; ++cx) {
+              any_occupied = any_occupied || grid.at(cx, cy) == CellState::Occupied;
+              all_free = all_free && grid.at(cx, cy) == CellState::Free;
+            }
+          }
+          REQUIRE(coarse.at(x, y) == (any_occupied ? CellState::Occupied
+                                      : all_free   ? CellState::Free
+                                                   : CellState::Unknown));
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("rounded cell sizes add no slivers, however large the map") {
+  // MRPT keeps 0.05 m in single precision: a little more.
+  StateGrid grid;
+  grid.width = 20000;
+  grid.height = 1;
+  grid.resolution = static_cast<double>(0.05F);
+  grid.cells.assign(20000, CellState::Free);
+  grid.cells[15001] = CellState::Occupied;
+  const StateGrid coarse = resample(grid, 0.1);
+  CHECK(coarse.width == 10000);
+  CHECK(coarse.at(7500, 0) == CellState::Occupied);
+  CHECK(std::count(coarse.cells.begin(), coarse.cells.end(), CellState::Occupied) == 1);
 }
 
 TEST_CASE("resampling to more cells than can be held is refused") {

@@ -56,6 +56,19 @@ bool occupiedWithin(const StateGrid& grid, const ContourCell& cell, int reach) {
   return false;
 }
 
+/// Whether a cell is free, and does not touch another only at a corner.
+bool isOpen(const StateGrid& grid, int x, int y) {
+  const auto is_free = [&](int dx, int dy) { return grid.at(x + dx, y + dy) == CellState::Free; };
+  for (const int dx : {-1, 1}) {
+    for (const int dy : {-1, 1}) {
+      if (is_free(dx, dy) && !is_free(dx, 0) && !is_free(0, dy)) {
+        return false;
+      }
+    }
+  }
+  return is_free(0, 0);
+}
+
 }  // namespace
 
 TEST_CASE("the outline of a room is walked once, its inside on the left", "[features]") {
@@ -125,7 +138,25 @@ TEST_CASE("nothing free has no outline", "[features]") {
   CHECK(traceFreeContours(gridFromText({"###", "# #", "###"}, 0.1)).empty());
 }
 
-TEST_CASE("the outlines of any grid are all free cells beside one that is not", "[features]") {
+TEST_CASE("a slanted wall one cell thick parts two rooms", "[features]") {
+  const StateGrid grid = gridFromText({"##########",  //
+                                       "#...#....#",  //
+                                       "#....#...#",  //
+                                       "#.....#..#",  //
+                                       "#......#.#",  //
+                                       "##########"},
+                                      0.1);
+  const auto contours = traceFreeContours(grid);
+  REQUIRE(contours.size() == 2);
+  for (const FreeContour& contour : contours) {
+    CHECK(signedArea(contour) > 0);
+    const auto right_of_wall = [](const ContourCell& cell) { return cell.x + cell.y > 8; };
+    CHECK(std::all_of(contour.begin(), contour.end(), right_of_wall) !=
+          std::none_of(contour.begin(), contour.end(), right_of_wall));
+  }
+}
+
+TEST_CASE("the outlines of any grid are all open cells beside one that is not", "[features]") {
   ContourOptions options;
   options.min_cells = 1;
   for (unsigned seed = 1; seed <= 20; ++seed) {
@@ -133,11 +164,8 @@ TEST_CASE("the outlines of any grid are all free cells beside one that is not", 
     Cells expected;
     for (int y = 0; y < grid.height; ++y) {
       for (int x = 0; x < grid.width; ++x) {
-        const auto is_free = [&](int dx, int dy) {
-          return grid.at(x + dx, y + dy) == CellState::Free;
-        };
-        if (is_free(0, 0) &&
-            !(is_free(1, 0) && is_free(-1, 0) && is_free(0, 1) && is_free(0, -1))) {
+        if (isOpen(grid, x, y) && !(isOpen(grid, x + 1, y) && isOpen(grid, x - 1, y) &&
+                                    isOpen(grid, x, y + 1) && isOpen(grid, x, y - 1))) {
           expected.insert({x, y});
         }
       }
@@ -152,9 +180,9 @@ TEST_CASE("the outlines of any grid are all free cells beside one that is not", 
         const int dx = to.x - from.x, dy = to.y - from.y;
         REQUIRE(std::max(std::abs(dx), std::abs(dy)) <= 1);
         if (std::abs(dx) + std::abs(dy) == 1) {
-          // To the right of a straight step free space ends.
-          CHECK((grid.at(from.x + dy, from.y - dx) != CellState::Free ||
-                 grid.at(to.x + dy, to.y - dx) != CellState::Free));
+          // To the right of a straight step open space ends.
+          CHECK_FALSE(
+              (isOpen(grid, from.x + dy, from.y - dx) && isOpen(grid, to.x + dy, to.y - dx)));
         }
         if (occupiedWithin(grid, from, 1)) {
           CHECK(from.at_wall);

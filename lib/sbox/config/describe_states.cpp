@@ -6,9 +6,9 @@ namespace sbox {
 
 void describeStates(const std::string& section, StateOptions& options, OptionTable& table) {
   table.section(section);
-  table.number("free_above", options.free_above, {0, 1},
+  table.number("free_above", options.free_above, {0.5, 1},
                "Probability of being free from which a cell counts as free");
-  table.number("occupied_below", options.occupied_below, {0, 1},
+  table.number("occupied_below", options.occupied_below, {0, 0.5},
                "Probability of being free below which it counts as occupied");
 }
 

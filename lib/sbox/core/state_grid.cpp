@@ -7,54 +7,31 @@
 #include <stdexcept>
 #include <string>
 
-#include "sbox/core/cell_corner.h"
-#include "sbox/core/cell_states.h"
+#include "sbox/core/known_part.h"
 
 namespace sbox {
+namespace {
 
-using Cell = mrpt::maps::COccupancyGridMap2D::cellType;
-static_assert(sizeof(Cell) == 1, "MRPT was built with 16-bit cells");
+/// States in the order in which they win over others when cells are joined.
+enum class Badness : std::uint8_t { Free, Unknown, Occupied };
 
-CellStates::CellStates(const StateOptions& options) {
-  for (int value = -128; value <= 127; ++value) {
-    const double p_free = mrpt::maps::COccupancyGridMap2D::l2p(static_cast<Cell>(value));
-    states_[static_cast<std::uint8_t>(value)] = p_free >= options.free_above ? CellState::Free
-                                                : p_free < options.occupied_below
-                                                    ? CellState::Occupied
-                                                    : CellState::Unknown;
-  }
+Badness badnessOf(CellState state) {
+  return state == CellState::Free      ? Badness::Free
+         : state == CellState::Unknown ? Badness::Unknown
+                                       : Badness::Occupied;
 }
 
-KnownPart knownPart(const Map& map, const CellStates& states) {
-  const auto known = [&](Cell cell) { return states(cell) != CellState::Unknown; };
-  int x_first = map.width(), x_last = -1, y_first = map.height(), y_last = -1;
-  for (int y = 0; y < map.height(); ++y) {
-    const Cell* row = map.grid.getRow(y);
-    const Cell* end = row + map.width();
-    const Cell* first = std::find_if(row, end, known);
-    if (first == end) {
-      continue;
-    }
-    const Cell* last = end - 1;
-    while (!known(*last)) {
-      --last;
-    }
-    x_first = std::min(x_first, static_cast<int>(first - row));
-    x_last = std::max(x_last, static_cast<int>(last - row));
-    y_first = std::min(y_first, y);
-    y_last = y;
-  }
-  return x_last < 0 ? KnownPart()
-                    : KnownPart{x_first, y_first, x_last - x_first + 1, y_last - y_first + 1};
+CellState stateOf(Badness badness) {
+  return badness == Badness::Free      ? CellState::Free
+         : badness == Badness::Unknown ? CellState::Unknown
+                                       : CellState::Occupied;
 }
 
-Pose2D cornerInMap(const Map& map, const KnownPart& part) {
-  return cellCorner(map.corner_in_map, map.resolution(), part.x_first, part.y_first);
-}
+}  // namespace
 
 StateGrid classifyCells(const Map& map, const StateOptions& options) {
-  const CellStates states(options);
-  const KnownPart part = knownPart(map, states);
+  const StateLimits limits = stateLimits(options);
+  const KnownPart part = knownPart(map, limits);
   StateGrid grid;
   grid.resolution = map.resolution();
   grid.corner_in_map = map.corner_in_map;
@@ -67,25 +44,26 @@ StateGrid classifyCells(const Map& map, const StateOptions& options) {
   grid.cells.resize(static_cast<size_t>(grid.width) * static_cast<size_t>(grid.height));
   CellState* state = grid.cells.data();
   for (int y = part.y_first; y < part.y_first + part.height; ++y, state += grid.width) {
-    const Cell* row = map.grid.getRow(y) + part.x_first;
-    std::transform(row, row + grid.width, state, states);
+    const CellLogOdds* row = map.grid.getRow(y) + part.x_first;
+    std::transform(row, row + grid.width, state,
+                   [limits](CellLogOdds cell) { return limits.stateOf(cell); });
   }
   return grid;
 }
 
 bool hasOccupiedCell(const Map& map, const StateOptions& options) {
-  const CellStates states(options);
+  const StateLimits limits = stateLimits(options);
   for (int y = 0; y < map.height(); ++y) {
-    const Cell* row = map.grid.getRow(y);
+    const CellLogOdds* row = map.grid.getRow(y);
     if (std::any_of(row, row + map.width(),
-                    [&](Cell cell) { return states(cell) == CellState::Occupied; })) {
+                    [&](CellLogOdds cell) { return cell <= limits.occupied_to; })) {
       return true;
     }
   }
   return false;
 }
 
-StateGrid resample(const StateGrid& grid, double resolution) {
+StateGrid resample(const StateGrid& grid, double resolution, int overlap) {
   StateGrid out;
   out.resolution = resolution;
   out.corner_in_map = grid.corner_in_map;
@@ -98,54 +76,62 @@ StateGrid resample(const StateGrid& grid, double resolution) {
         "a map of " + std::to_string(grid.width) + " x " + std::to_string(grid.height) +
         " known cells is too large to be matched in cells of " + std::to_string(resolution) + " m");
   }
-  // A sliver of a cell from rounding is not a cell.
-  out.width = std::max(1, static_cast<int>(std::ceil(grid.width / ratio - 1e-6)));
-  out.height = std::max(1, static_cast<int>(std::ceil(grid.height / ratio - 1e-6)));
-  out.cells.assign(static_cast<size_t>(out.width) * static_cast<size_t>(out.height),
-                   CellState::Unknown);
+  // A sliver of a cell is not a cell: MRPT's cell sizes are rounded to single precision, which adds
+  // up over thousands of cells.
+  constexpr double sliver = 0.01;
+  out.width = std::max(1, static_cast<int>(std::ceil(grid.width / ratio - sliver)));
+  out.height = std::max(1, static_cast<int>(std::ceil(grid.height / ratio - sliver)));
+  out.cells.resize(static_cast<size_t>(out.width) * static_cast<size_t>(out.height));
   const auto span = [&](int i, int size) {
     if (ratio <= 1) {
       const int centre = std::min(static_cast<int>((i + 0.5) * ratio), size - 1);
       return std::pair<int, int>{centre, centre};
     }
-    const int first = static_cast<int>(i * ratio + 1e-6);
-    const int last = static_cast<int>(std::ceil((i + 1) * ratio - 1e-6)) - 1;
+    const int first = static_cast<int>(i * ratio + sliver);
+    const int last = static_cast<int>(std::ceil((i + 1) * ratio - sliver)) - 1;
     return std::pair<int, int>{first, last};
   };
   std::vector<std::pair<int, int>> columns;
   for (int x = 0; x < out.width; ++x) {
     columns.push_back(span(x, grid.width));
   }
-  // A cell is occupied if the union of its bits has that bit, and free if their intersection has
-  // that one; beyond the grid no bit is set.
-  using Bits = std::uint8_t;
-  constexpr auto free_bit = static_cast<Bits>(CellState::Free);
-  constexpr auto occupied_bit = static_cast<Bits>(CellState::Occupied);
-  std::vector<Bits> any(static_cast<size_t>(grid.width)), all(any.size());
+  // Most maps have such cells; compilers work on many of these at once.
+  const bool are_halves =
+      columns.back() == std::pair<int, int>{2 * out.width - 2, 2 * out.width - 1};
+  if (ratio <= 1) {
+    overlap = 0;
+  }
+  // The worst of all cells in each column, row by row of the result; beyond the grid all is
+  // unknown.
+  std::vector<Badness> worst(static_cast<size_t>(std::max(grid.width, columns.back().second + 1)));
+  std::vector<Badness> wider(worst.size());
+  const auto grid_width = static_cast<size_t>(grid.width);
   for (int y = 0; y < out.height; ++y) {
     const auto [y_first, y_last] = span(y, grid.height);
-    std::fill(any.begin(), any.end(), Bits{0});
-    std::fill(all.begin(), all.end(), y_last < grid.height ? free_bit : Bits{0});
-    for (int cy = y_first; cy <= std::min(y_last, grid.height - 1); ++cy) {
-      const CellState* row =
-          grid.cells.data() + static_cast<size_t>(cy) * static_cast<size_t>(grid.width);
-      for (size_t x = 0; x < any.size(); ++x) {
-        const auto bits = static_cast<Bits>(row[x]);
-        any[x] |= bits;
-        all[x] &= bits;
+    std::fill(worst.begin(), worst.end(), y_last < grid.height ? Badness::Free : Badness::Unknown);
+    std::fill(worst.begin() + grid.width, worst.end(), Badness::Unknown);
+    for (int cy = std::max(0, y_first - overlap); cy <= std::min(y_last, grid.height - 1); ++cy) {
+      const CellState* row = grid.cells.data() + static_cast<size_t>(cy) * grid_width;
+      for (size_t x = 0; x < grid_width; ++x) {
+        worst[x] = std::max(worst[x], badnessOf(row[x]));
       }
     }
+    for (int i = 0; i < overlap; ++i) {
+      std::transform(worst.begin(), worst.end() - 1, worst.begin() + 1, wider.begin() + 1,
+                     [](Badness left, Badness right) { return std::max(left, right); });
+      wider[0] = worst[0];
+      std::swap(worst, wider);
+    }
     CellState* out_row = out.cells.data() + static_cast<size_t>(y) * static_cast<size_t>(out.width);
-    for (int x = 0; x < out.width; ++x) {
-      const auto [x_first, x_last] = columns[static_cast<size_t>(x)];
-      Bits any_bits = 0, all_bits = x_last < grid.width ? free_bit : Bits{0};
-      for (int cx = x_first; cx <= std::min(x_last, grid.width - 1); ++cx) {
-        any_bits |= any[static_cast<size_t>(cx)];
-        all_bits &= all[static_cast<size_t>(cx)];
+    if (are_halves) {
+      for (size_t x = 0; x < columns.size(); ++x) {
+        out_row[x] = stateOf(std::max(worst[2 * x], worst[2 * x + 1]));
       }
-      out_row[x] = (any_bits & occupied_bit) != 0 ? CellState::Occupied
-                   : all_bits != 0                ? CellState::Free
-                                                  : CellState::Unknown;
+      continue;
+    }
+    for (size_t x = 0; x < columns.size(); ++x) {
+      const auto [x_first, x_last] = columns[x];
+      out_row[x] = stateOf(*std::max_element(worst.begin() + x_first, worst.begin() + x_last + 1));
     }
   }
   return out;

@@ -50,8 +50,9 @@ struct StateOptions {
 inline constexpr double max_resampled_cells = 4e8;
 
 /// The same area in cells of `resolution` metres on the same corner. Coarser cells: occupied if any
-/// cell they touch is, free if all are; finer cells: the state of the cell that holds their centre.
-/// Throws std::length_error where that would take more than max_resampled_cells.
-[[nodiscard]] StateGrid resample(const StateGrid& grid, double resolution);
+/// cell they touch is, free if all are, `overlap` more of them to the left and below counted in;
+/// finer cells: the state of the cell that holds their centre. Throws std::length_error where that
+/// would take more than max_resampled_cells.
+[[nodiscard]] StateGrid resample(const StateGrid& grid, double resolution, int overlap = 0);
 
 }  // namespace sbox

@@ -21,6 +21,28 @@ cv::Mat maskOf(const StateGrid& grid, CellState state) {
   return mask;
 }
 
+/// Without the pairs of free cells that only touch at a corner, between two that are not free: a
+/// slanted wall one cell thick is a wall.
+cv::Mat withoutPinches(const cv::Mat& free) {
+  cv::Mat open = free.clone();
+  for (int y = 0; y + 1 < free.rows; ++y) {
+    const auto* low = free.ptr<unsigned char>(y);
+    const auto* high = free.ptr<unsigned char>(y + 1);
+    auto* open_low = open.ptr<unsigned char>(y);
+    auto* open_high = open.ptr<unsigned char>(y + 1);
+    for (int x = 0; x + 1 < free.cols; ++x) {
+      const auto rising = static_cast<unsigned char>(low[x] & high[x + 1] & ~low[x + 1] & ~high[x]);
+      const auto falling =
+          static_cast<unsigned char>(low[x + 1] & high[x] & ~low[x] & ~high[x + 1]);
+      open_low[x] &= static_cast<unsigned char>(~rising);
+      open_high[x + 1] &= static_cast<unsigned char>(~rising);
+      open_low[x + 1] &= static_cast<unsigned char>(~falling);
+      open_high[x] &= static_cast<unsigned char>(~falling);
+    }
+  }
+  return open;
+}
+
 /// Twice the area to the left of the walk, in cells.
 double signedArea(const std::vector<cv::Point>& walk) {
   double area = 0;
@@ -44,7 +66,7 @@ std::vector<FreeContour> traceFreeContours(const StateGrid& grid, const ContourO
              cv::getStructuringElement(cv::MORPH_RECT, {5, 5}));
   std::vector<std::vector<cv::Point>> walks;
   std::vector<cv::Vec4i> hierarchy;
-  cv::findContours(maskOf(grid, CellState::Free), walks, hierarchy, cv::RETR_CCOMP,
+  cv::findContours(withoutPinches(maskOf(grid, CellState::Free)), walks, hierarchy, cv::RETR_CCOMP,
                    cv::CHAIN_APPROX_NONE);
   for (size_t i = 0; i < walks.size(); ++i) {
     std::vector<cv::Point>& walk = walks[i];

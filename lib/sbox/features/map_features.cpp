@@ -103,7 +103,9 @@ MapFeatures extractFeatures(const Map& map, const FeatureOptions& options) {
     return features;
   }
   const bool is_fine = cells.resolution < 0.75 * options.working_resolution;
-  const StateGrid grid = is_fine ? resample(cells, options.working_resolution) : cells;
+  // Coarser cells overlap by one of the map's, so that walls of cells that meet at corners, as
+  // those of slanted walls do, stay closed.
+  const StateGrid grid = is_fine ? resample(cells, options.working_resolution, 1) : cells;
   features.digest = digestOf(grid);
   features.width = grid.width * grid.resolution;
   features.height = grid.height * grid.resolution;

@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "sbox/core/state_limits.h"
 #include "sbox/fusion/map_layer.h"
-#include "sbox/fusion/state_limits.h"
 
 namespace sbox {
 

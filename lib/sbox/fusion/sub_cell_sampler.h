@@ -8,18 +8,14 @@
 // as wall, just as wide as a line of one lattice cell needs to be to stay connected.
 #pragma once
 
-#include <mrpt/maps/COccupancyGridMap2D.h>
-
 #include <algorithm>
 #include <cstdint>
 
 #include "sbox/core/map.h"
+#include "sbox/core/state_limits.h"
 #include "sbox/fusion/cell_warp.h"
 
 namespace sbox {
-
-/// A cell of MRPT's grids: log-odds of being free.
-using CellLogOdds = mrpt::maps::COccupancyGridMap2D::cellType;
 
 /// What a map says about a place, as MRPT's log-odds of being free; both 0 where it knows nothing.
 struct CellEvidence {

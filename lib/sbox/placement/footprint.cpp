@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "sbox/core/cell_states.h"
+#include "sbox/core/known_part.h"
 #include "sbox/core/parallel.h"
 
 namespace sbox {
@@ -16,7 +16,7 @@ constexpr int kMostCells = 48;      ///< In a row or column.
 constexpr double kLeastCell = 0.5;  ///< Metres.
 
 /// Marks the coarse cells at least half of whose cells are known.
-void markKnown(const Map& map, const CellStates& states, const KnownPart& part, int block,
+void markKnown(const Map& map, const StateLimits& limits, const KnownPart& part, int block,
                Footprint& footprint) {
   const int half = (block * block + 1) / 2;
   std::vector<int> known_in_column(static_cast<size_t>(part.width));
@@ -26,7 +26,7 @@ void markKnown(const Map& map, const CellStates& states, const KnownPart& part, 
     for (int i = y; i < std::min(y + block, part.height); ++i) {
       const auto* row = map.grid.getRow(part.y_first + i) + part.x_first;
       for (size_t x = 0; x < known_in_column.size(); ++x) {
-        known_in_column[x] += states(row[x]) != CellState::Unknown ? 1 : 0;
+        known_in_column[x] += limits.knows(row[x]) ? 1 : 0;
       }
     }
     for (int x = 0; x < part.width; x += block) {
@@ -58,8 +58,8 @@ void forEachCommon(const Footprint& a, const Footprint& b, const Pose2D& pose_b_
 
 Footprint footprintOf(const Map& map) {
   Footprint footprint;
-  const CellStates states;
-  const KnownPart part = knownPart(map, states);
+  const StateLimits limits = stateLimits(StateOptions());
+  const KnownPart part = knownPart(map, limits);
   if (part.width == 0) {
     return footprint;
   }
@@ -73,7 +73,7 @@ Footprint footprintOf(const Map& map) {
   footprint.height = (part.height + block - 1) / block;
   footprint.cells.resize(static_cast<size_t>(footprint.width) *
                          static_cast<size_t>(footprint.height));
-  markKnown(map, states, part, block, footprint);
+  markKnown(map, limits, part, block, footprint);
   Point2D sum(0, 0);
   for (size_t i = 0; i < footprint.cells.size(); ++i) {
     if (footprint.cells[i] != 0) {
