@@ -33,7 +33,6 @@ std::vector<Fit> randomFits(unsigned seed, int count) {
     }
     fit.boxes = i;
     fit.bend_ratio = between(0, 4);
-    fit.axes_apart = between(0, M_PI / 4);
     fit.bent_evidence.rooms.all = between(0, 20);
     fit.bent_evidence.rooms.misfit = between(0, 1) * fit.bent_evidence.rooms.all;
     fits.push_back(fit);
@@ -111,18 +110,6 @@ TEST_CASE("a fit more bent than its maps is less probable where walls are bare",
   CHECK(fallsBy(bare) > std::log(100));
   CHECK(fallsBy(cluttered) >= 0);
   CHECK(fallsBy(cluttered) < 0.1);
-}
-
-TEST_CASE("main directions may be a little apart, not more", "[verification]") {
-  Fit fit = randomFits(4, 1).front();
-  const auto logOddsAt = [&](double degrees) {
-    fit.axes_apart = degrees * M_PI / 180;
-    return logOdds(verdictTerms(fit));
-  };
-  CHECK(logOddsAt(1.9) == logOddsAt(0));
-  CHECK(logOddsAt(8) < logOddsAt(4));
-  CHECK(logOddsAt(4) < logOddsAt(2));
-  CHECK(logOddsAt(40) == logOddsAt(20));
 }
 
 TEST_CASE("conflict that lies together counts less than strewn all over", "[verification]") {

@@ -75,7 +75,8 @@ RigidTransform alignWalls(const MapFeatures& a, const MapFeatures& b, const Rigi
     const Eigen::Vector3d step = normals.matrix.ldlt().solve(normals.vector);
     b_in_a.heading += step.z();
     b_in_a.translation = pivot + step.head<2>() - Eigen::Rotation2Dd(b_in_a.heading) * centre_b;
-    if (step.head<2>().norm() < 1e-3 && std::abs(step.z()) < 1e-4) {
+    constexpr double small_shift = 0.005, small_turn = 0.0005;  // Metres; radians.
+    if (step.head<2>().norm() < small_shift && std::abs(step.z()) < small_turn) {
       break;
     }
   }

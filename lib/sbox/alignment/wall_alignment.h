@@ -14,7 +14,7 @@ namespace sbox {
 struct AlignmentOptions {
   double kernel = 1.25;  ///< Scale of the robust kernel, metres: walls further off count little.
   int iterations = 20;   ///< At most.
-  size_t most_points = 600;  ///< Wall points used of each map.
+  size_t most_points = 1500;  ///< Wall points used of each map.
 };
 
 /// The transform improved from `start` by Gauss-Newton with a Geman-McClure kernel.

@@ -77,19 +77,6 @@ double bendRatio(const MapFeatures& a, const MapFeatures& b, const DriftField& d
   return slope / std::max({a.slope_spread, b.slope_spread, least_slope});
 }
 
-/// Angle from a main wall direction of one map to the nearest of the other, radians; 0 where a map
-/// has none.
-double axesApart(const MapFeatures& a, const MapFeatures& b, double heading) {
-  double least = M_PI / 4;
-  for (const FrameFeatures& of_a : a.frames) {
-    for (const FrameFeatures& of_b : b.frames) {
-      const double apart = of_b.frame.direction + heading - of_a.frame.direction;
-      least = std::min(least, std::abs(std::remainder(apart, M_PI / 2)));
-    }
-  }
-  return a.frames.empty() || b.frames.empty() ? 0 : least;
-}
-
 /// How candidates are laid on the walls.
 enum class Alignment {
   Wide,    ///< By a wide kernel, whatever becomes of the score: right where maps are bent.
@@ -148,7 +135,6 @@ Fit fitOf(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in
 /// Fills in what the log odds are made of beside the evidence, and these.
 void weighFit(const MapFeatures& a, const MapFeatures& b, const RankingOptions& options, Fit& fit) {
   fit.bend_ratio = bendRatio(a, b, fit.drift);
-  fit.axes_apart = axesApart(a, b, fit.b_in_a.heading);
   fit.boxes = static_cast<int>(matchBoxes(a, b, fit.b_in_a, fit.drift, options.boxes).size());
   fit.log_odds = logOdds(verdictTerms(fit));
 }

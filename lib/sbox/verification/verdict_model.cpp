@@ -26,9 +26,6 @@ std::array<double, kVerdictTerms> verdictTerms(const Fit& fit) {
   // The drift field follows clutter that moved, too, so there it tells little: 9 parts of bare wall
   // in 10 make 0.43 of this, 7 make 0.06. Of the powers tried, the one that fitted best.
   constexpr int power = 8;
-  // Degrees that drift turns walls often, and from which on it does not matter how many more.
-  constexpr double little_turn = 2, large_turn = 15;
-  const double turn = fit.axes_apart * 180 / M_PI;
   constexpr double few_rooms = 3;
   const double bareness = std::pow(1 - clutter.known / (evidence.known + few_metres), power);
   return {straight.agree / (straight.known + few_metres),
@@ -39,7 +36,6 @@ std::array<double, kVerdictTerms> verdictTerms(const Fit& fit) {
           straight.conflict / area,
           clutter.conflict / area,
           fit.bend_ratio * bareness,
-          std::clamp(turn, little_turn, large_turn) - little_turn,
           evidence.rooms.misfit / (evidence.rooms.all + few_rooms)};
 }
 

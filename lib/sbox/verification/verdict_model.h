@@ -14,14 +14,13 @@
 namespace sbox {
 
 /// Number of terms of the model.
-constexpr size_t kVerdictTerms = 10;
+constexpr size_t kVerdictTerms = 9;
 
 /// What the log odds of a fit are made of, in the order of VerdictModel::weights: share of the
 /// straight walls in common that agree; log of the clutter that agrees (metres); log of the
 /// agreeing wall (metres) across the others; log of the boxes that agree; root of the straight wall
 /// in conflict (metres); straight wall and clutter in conflict per shared free area; how bent the
 /// maps are against each other over how bent each is (Fit::bend_ratio), as far as walls are bare;
-/// degrees by which the main wall directions are further apart than a little drift bends them;
 /// share of the rooms in common whose walls do not fit: conflict that lies together, as of a wing
 /// that drift has carried off, counts less than as much strewn all over. All with the drift taken
 /// out.
@@ -33,9 +32,9 @@ constexpr size_t kVerdictTerms = 10;
 /// Weights found by maximum likelihood: `sbox-bench FOLDERS --fit-verdict` prints them.
 struct VerdictModel {
   /// Of the terms, in their order.
-  std::array<double, kVerdictTerms> weights = {8.105,   3.107,   1.921,  0.519,  -1.122,
-                                               -28.794, -22.042, -5.681, -0.392, 9.249};
-  double none = 11.618;  ///< Log odds of "none of the fits is right".
+  std::array<double, kVerdictTerms> weights = {12.047,  3.000,   1.887,  0.371, -0.963,
+                                               -33.503, -20.958, -6.022, 9.197};
+  double none = 13.715;  ///< Log odds of "none of the fits is right".
 };
 
 /// Log odds that the fit of these terms is right, up to a constant.
