@@ -10,34 +10,29 @@ namespace {
 
 cv::Mat maskOf(const StateGrid& grid, CellState state) {
   cv::Mat mask(grid.height, grid.width, CV_8U);
-  for (int y = 0; y < grid.height; ++y) {
-    auto* pixel = mask.ptr<unsigned char>(y);
-    const CellState* cell =
-        grid.cells.data() + static_cast<size_t>(y) * static_cast<size_t>(grid.width);
-    for (int x = 0; x < grid.width; ++x) {
-      pixel[x] = cell[x] == state ? 255 : 0;
-    }
-  }
+  std::transform(grid.cells.begin(), grid.cells.end(), mask.ptr<unsigned char>(),
+                 [state](CellState cell) -> unsigned char { return cell == state ? 255 : 0; });
   return mask;
 }
 
-/// Without the pairs of free cells that only touch at a corner, between two that are not free: a
+/// The free cells but those that touch another only at a corner, between two that are not free: a
 /// slanted wall one cell thick is a wall.
-cv::Mat withoutPinches(const cv::Mat& free) {
-  cv::Mat open = free.clone();
-  for (int y = 0; y + 1 < free.rows; ++y) {
-    const auto* low = free.ptr<unsigned char>(y);
-    const auto* high = free.ptr<unsigned char>(y + 1);
-    auto* open_low = open.ptr<unsigned char>(y);
-    auto* open_high = open.ptr<unsigned char>(y + 1);
-    for (int x = 0; x + 1 < free.cols; ++x) {
-      const auto rising = static_cast<unsigned char>(low[x] & high[x + 1] & ~low[x + 1] & ~high[x]);
-      const auto falling =
-          static_cast<unsigned char>(low[x + 1] & high[x] & ~low[x] & ~high[x + 1]);
-      open_low[x] &= static_cast<unsigned char>(~rising);
-      open_high[x + 1] &= static_cast<unsigned char>(~rising);
-      open_low[x + 1] &= static_cast<unsigned char>(~falling);
-      open_high[x] &= static_cast<unsigned char>(~falling);
+cv::Mat openCells(const StateGrid& grid) {
+  // A rim, so that each cell has all its neighbours.
+  cv::Mat free;
+  cv::copyMakeBorder(maskOf(grid, CellState::Free), free, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0);
+  const int width = grid.width;
+  cv::Mat open(grid.height, width, CV_8U);
+  for (int y = 0; y < grid.height; ++y) {
+    const unsigned char* below = free.ptr<unsigned char>(y) + 1;
+    const unsigned char* row = free.ptr<unsigned char>(y + 1) + 1;
+    const unsigned char* above = free.ptr<unsigned char>(y + 2) + 1;
+    auto* pixel = open.ptr<unsigned char>(y);
+    for (int x = 0; x < width; ++x) {
+      const int at_corner =
+          (~row[x - 1] & ((below[x - 1] & ~below[x]) | (above[x - 1] & ~above[x]))) |
+          (~row[x + 1] & ((below[x + 1] & ~below[x]) | (above[x + 1] & ~above[x])));
+      pixel[x] = static_cast<unsigned char>(row[x] & ~at_corner);
     }
   }
   return open;
@@ -66,8 +61,7 @@ std::vector<FreeContour> traceFreeContours(const StateGrid& grid, const ContourO
              cv::getStructuringElement(cv::MORPH_RECT, {5, 5}));
   std::vector<std::vector<cv::Point>> walks;
   std::vector<cv::Vec4i> hierarchy;
-  cv::findContours(withoutPinches(maskOf(grid, CellState::Free)), walks, hierarchy, cv::RETR_CCOMP,
-                   cv::CHAIN_APPROX_NONE);
+  cv::findContours(openCells(grid), walks, hierarchy, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
   for (size_t i = 0; i < walks.size(); ++i) {
     std::vector<cv::Point>& walk = walks[i];
     if (static_cast<int>(walk.size()) < options.min_cells) {

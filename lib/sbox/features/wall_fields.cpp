@@ -132,7 +132,7 @@ void fillDepth(const StateGrid& grid, WallFields& fields) {
         if (column >= 0 && column < grid.width) {
           const double metres = static_cast<double>(distance[column]) * grid.resolution;
           field_row[x] =
-              static_cast<std::uint8_t>(std::min(255.0, std::round(metres / WallFields::unit)));
+              static_cast<std::uint8_t>(std::min(255.0, metres / WallFields::unit + 0.5));
         }
       }
     }
@@ -179,13 +179,15 @@ WallFields makeFields(const StateGrid& grid, const std::vector<WallPoint>& point
       offer(fields, point.position, point.index, radius, squared, nearest);
     }
     std::vector<std::uint8_t>& distances = fields.distances[sector];
-    distances.assign(count, WallFields::far);
-    for (size_t cell = 0; cell < count; ++cell) {
-      if (nearest[cell] >= 0) {
-        distances[cell] =
-            static_cast<std::uint8_t>(std::min(255.F, std::sqrt(squared[cell]) * to_units + 0.5F));
-      }
-    }
+    distances.resize(count);
+    std::transform(squared.begin(), squared.end(), distances.begin(), [to_units](float square) {
+      return static_cast<std::uint8_t>(
+          std::min(static_cast<int>(std::sqrt(square) * to_units + 0.5F), 255));
+    });
+    std::transform(nearest.begin(), nearest.end(), distances.begin(), distances.begin(),
+                   [](std::int32_t index, std::uint8_t distance) {
+                     return index >= 0 ? distance : std::uint8_t{WallFields::far};
+                   });
   }
   return fields;
 }
