@@ -181,8 +181,7 @@ WallFields makeFields(const StateGrid& grid, const std::vector<WallPoint>& point
     std::vector<std::uint8_t>& distances = fields.distances[sector];
     distances.resize(count);
     std::transform(squared.begin(), squared.end(), distances.begin(), [to_units](float square) {
-      return static_cast<std::uint8_t>(
-          std::min(static_cast<int>(std::sqrt(square) * to_units + 0.5F), 255));
+      return static_cast<std::uint8_t>(std::min(255.F, std::sqrt(square) * to_units + 0.5F));
     });
     std::transform(nearest.begin(), nearest.end(), distances.begin(), distances.begin(),
                    [](std::int32_t index, std::uint8_t distance) {
