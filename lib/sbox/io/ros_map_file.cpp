@@ -3,10 +3,9 @@
 #include "sbox/io/ros_map_file.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 
-#include "sbox/core/state_grid.h"
+#include "sbox/core/state_limits.h"
 #include "sbox/io/file_error.h"
 #include "sbox/io/map_checks.h"
 #include "sbox/io/ros_yaml.h"
@@ -14,34 +13,19 @@
 namespace sbox {
 namespace {
 
-using Cell = mrpt::maps::COccupancyGridMap2D::cellType;
-
 /// Image rows run from the top, the grid's from the bottom.
 void fillCells(const Image& image, const RosShading& shading, Map& map) {
   const int colours = std::min(image.channels, 3);
-  const std::vector<Cell> cells = rosCellTable(shading, colours);
+  const std::vector<CellLogOdds> cells = rosCellTable(shading, colours);
   const bool see_through_is_unknown = image.channels == 4 && shading.mode != RosMode::Raw;
   for (int y = 0; y < image.height; ++y) {
     const std::uint8_t* pixel = image.row(image.height - 1 - y);
-    Cell* row = map.grid.getRow(y);
+    CellLogOdds* row = map.grid.getRow(y);
     for (int x = 0; x < image.width; ++x, pixel += image.channels) {
       const unsigned sum = colours == 1 ? pixel[0] : 0U + pixel[0] + pixel[1] + pixel[2];
-      row[x] = see_through_is_unknown && pixel[3] != 255 ? Cell{0} : cells[sum];
+      row[x] = see_through_is_unknown && pixel[3] != 255 ? CellLogOdds{0} : cells[sum];
     }
   }
-}
-
-/// ROS's grey for each of the 256 values of a cell, by its bits.
-std::array<std::uint8_t, 256> greyTable() {
-  const StateOptions states;
-  std::array<std::uint8_t, 256> table{};
-  for (int value = -128; value <= 127; ++value) {
-    const double p_free = mrpt::maps::COccupancyGridMap2D::l2p(static_cast<Cell>(value));
-    table[static_cast<std::uint8_t>(value)] = p_free >= states.free_above      ? 254
-                                              : p_free < states.occupied_below ? 0
-                                                                               : 205;
-  }
-  return table;
 }
 
 }  // namespace
@@ -69,13 +53,16 @@ Map loadImageMap(const std::string& path, double resolution) {
 }
 
 Image rosPicture(const Map& map) {
-  const std::array<std::uint8_t, 256> greys = greyTable();
+  constexpr std::uint8_t free = 254, occupied = 0, unknown = 205;
+  const StateLimits limits = stateLimits(StateOptions());
   Image image{map.width(), map.height(), 1, {}};
   image.pixels.reserve(map.grid.getRawMap().size());
   for (int y = map.height() - 1; y >= 0; --y) {
-    const Cell* row = map.grid.getRow(y);
-    std::transform(row, row + map.width(), std::back_inserter(image.pixels),
-                   [&](Cell cell) { return greys[static_cast<std::uint8_t>(cell)]; });
+    const CellLogOdds* row = map.grid.getRow(y);
+    std::transform(row, row + map.width(), std::back_inserter(image.pixels), [&](CellLogOdds cell) {
+      const CellState state = limits.stateOf(cell);
+      return state == CellState::Free ? free : state == CellState::Occupied ? occupied : unknown;
+    });
   }
   return image;
 }

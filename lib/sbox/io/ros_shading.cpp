@@ -6,12 +6,6 @@
 #include <cmath>
 
 namespace sbox {
-namespace {
-
-using Grid = mrpt::maps::COccupancyGridMap2D;
-using Cell = Grid::cellType;
-
-}  // namespace
 
 int rosOccupancy(double shade, const RosShading& shading) {
   if (shading.mode == RosMode::Raw) {
@@ -35,24 +29,25 @@ int rosOccupancy(double shade, const RosShading& shading) {
                                     (shading.occupied_thresh - shading.free_thresh) * 100));
 }
 
-Cell rosCell(int percent) {
+CellLogOdds rosCell(int percent) {
   if (percent == ros_unknown) {
     return 0;
   }
   const double p_free = std::clamp(1 - percent / 100.0, 0.01, 0.99);
+  using Grid = mrpt::maps::COccupancyGridMap2D;
   // MRPT's own p2l reads a table of 256 steps and is off by several cells' values near 0 and 1.
   int nearest = 0;
   for (int value = -127; value <= 127; ++value) {
-    if (std::abs(Grid::l2p(static_cast<Cell>(value)) - p_free) <
-        std::abs(Grid::l2p(static_cast<Cell>(nearest)) - p_free)) {
+    if (std::abs(Grid::l2p(static_cast<CellLogOdds>(value)) - p_free) <
+        std::abs(Grid::l2p(static_cast<CellLogOdds>(nearest)) - p_free)) {
       nearest = value;
     }
   }
-  return static_cast<Cell>(nearest);
+  return static_cast<CellLogOdds>(nearest);
 }
 
-std::vector<Cell> rosCellTable(const RosShading& shading, int channels) {
-  std::vector<Cell> table;
+std::vector<CellLogOdds> rosCellTable(const RosShading& shading, int channels) {
+  std::vector<CellLogOdds> table;
   for (int sum = 0; sum <= 255 * channels; ++sum) {
     table.push_back(rosCell(rosOccupancy(static_cast<double>(sum) / channels, shading)));
   }

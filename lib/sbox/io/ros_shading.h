@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sbox/core/map.h"
+#include "sbox/core/state_limits.h"
 
 namespace sbox {
 
@@ -40,10 +40,9 @@ inline constexpr int ros_unknown = -1;
 
 /// MRPT's cell for an occupancy in percent. Free and occupied become probabilities of 0.99 and 0.01
 /// of being free: a published map says which, not how surely, and another map may disagree.
-[[nodiscard]] mrpt::maps::COccupancyGridMap2D::cellType rosCell(int percent);
+[[nodiscard]] CellLogOdds rosCell(int percent);
 
 /// Cells by the sum of `channels` colour values of 0 to 255: `channels` * 255 + 1 of them.
-[[nodiscard]] std::vector<mrpt::maps::COccupancyGridMap2D::cellType> rosCellTable(
-    const RosShading& shading, int channels);
+[[nodiscard]] std::vector<CellLogOdds> rosCellTable(const RosShading& shading, int channels);
 
 }  // namespace sbox
