@@ -55,11 +55,11 @@ Map loadImageMap(const std::string& path, double resolution) {
 Image rosPicture(const Map& map) {
   constexpr std::uint8_t free = 254, occupied = 0, unknown = 205;
   const StateLimits limits = stateLimits(StateOptions());
-  Image image{map.width(), map.height(), 1, {}};
-  image.pixels.reserve(map.grid.getRawMap().size());
+  Image image{map.width(), map.height(), 1, Bytes(map.grid.getRawMap().size())};
+  auto pixel = image.pixels.begin();
   for (int y = map.height() - 1; y >= 0; --y) {
     const CellLogOdds* row = map.grid.getRow(y);
-    std::transform(row, row + map.width(), std::back_inserter(image.pixels), [&](CellLogOdds cell) {
+    pixel = std::transform(row, row + map.width(), pixel, [limits](CellLogOdds cell) {
       const CellState state = limits.stateOf(cell);
       return state == CellState::Free ? free : state == CellState::Occupied ? occupied : unknown;
     });
