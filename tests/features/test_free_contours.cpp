@@ -154,6 +154,12 @@ TEST_CASE("a slanted wall one cell thick parts two rooms", "[features]") {
     CHECK(std::all_of(contour.begin(), contour.end(), right_of_wall) !=
           std::none_of(contour.begin(), contour.end(), right_of_wall));
   }
+  ContourOptions options;
+  options.close_corners = false;
+  // One outline round both, and others round the wall.
+  const auto joined = traceFreeContours(grid, options);
+  CHECK(std::count_if(joined.begin(), joined.end(),
+                      [](const FreeContour& contour) { return signedArea(contour) > 0; }) == 1);
 }
 
 TEST_CASE("the outlines of any grid are all open cells beside one that is not", "[features]") {

@@ -192,7 +192,7 @@ TEST_CASE("a part of a floor is found wherever it lies", "[matching]") {
             swapped ? searchByCorrelation(part, whole) : searchByCorrelation(whole, part);
         const auto isRight = [&](const Hypothesis& hypothesis) {
           const RigidTransform answer = swapped ? hypothesis.b_in_a.inverse() : hypothesis.b_in_a;
-          return (answer * middle - part_in_whole * middle).norm() < 1 &&
+          return (answer * middle - part_in_whole * middle).norm() < 0.8 &&
                  std::abs(std::remainder(answer.heading - truth.phi, 2 * M_PI)) < 0.06;
         };
         INFO("from " << window.low.x << " " << window.low.y << " turned " << heading << " swapped "

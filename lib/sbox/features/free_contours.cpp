@@ -61,7 +61,8 @@ std::vector<FreeContour> traceFreeContours(const StateGrid& grid, const ContourO
              cv::getStructuringElement(cv::MORPH_RECT, {5, 5}));
   std::vector<std::vector<cv::Point>> walks;
   std::vector<cv::Vec4i> hierarchy;
-  cv::findContours(openCells(grid), walks, hierarchy, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
+  cv::findContours(options.close_corners ? openCells(grid) : maskOf(grid, CellState::Free), walks,
+                   hierarchy, cv::RETR_CCOMP, cv::CHAIN_APPROX_NONE);
   for (size_t i = 0; i < walks.size(); ++i) {
     std::vector<cv::Point>& walk = walks[i];
     if (static_cast<int>(walk.size()) < options.min_cells) {

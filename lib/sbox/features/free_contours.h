@@ -24,6 +24,9 @@ using FreeContour = std::vector<ContourCell>;
 /// Which outlines are kept.
 struct ContourOptions {
   int min_cells = 4;  ///< Shorter contours are specks.
+  /// Whether two free cells that only touch at a corner, between two that are not free, count as
+  /// wall. It parts what a slanted wall parts, and moves the outline by up to a cell there.
+  bool close_corners = true;
 };
 
 /// All outlines of the grid's free cells, outer and inner.

@@ -110,9 +110,11 @@ MapFeatures extractFeatures(const Map& map, const FeatureOptions& options) {
   features.width = grid.width * grid.resolution;
   features.height = grid.height * grid.resolution;
 
-  // Section 3.1.1: wall lines, from the outline of free space.
-  Walls walls =
-      findWalls(traceFreeContours(grid, options.contours), grid.resolution, options.walls);
+  // Section 3.1.1: wall lines, from the outline of free space. Where it moves at corners, only
+  // sharpening brings it back.
+  ContourOptions contours = options.contours;
+  contours.close_corners = contours.close_corners && is_fine;
+  Walls walls = findWalls(traceFreeContours(grid, contours), grid.resolution, options.walls);
   if (is_fine) {
     sharpenWalls(cells, walls, options.sharpen);
   }
