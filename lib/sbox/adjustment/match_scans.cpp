@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/adjustment/match_scans.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -73,7 +73,7 @@ PoseCovariance covarianceOf(const Eigen::Matrix3d& information, double noise) {
                       floor_radians * floor_radians)
           .asDiagonal();
   const Eigen::Matrix3d all = information / (noise * noise) + loose;
-  const PoseCovariance covariance = all.llt().solve(Eigen::Matrix3d::Identity()) + least;
+  const PoseCovariance covariance = all.inverse() + least;
   return (covariance + covariance.transpose()) / 2;
 }
 
@@ -90,7 +90,7 @@ std::optional<ScanMatch> matchScans(const std::vector<ScanPoint>& a,
     const double gate = i < options.iterations / 2 ? options.gate : options.last_gate;
     const Equations equations = equationsAt(pose, a, b, gate, options);
     const Eigen::Vector3d step =
-        (equations.information + damping()).llt().solve(-equations.gradient);
+        -(equations.information + damping()).inverse() * equations.gradient;
     pose = {pose.x + step.x(), pose.y + step.y(), wrapAngle(pose.phi + step.z())};
   }
   const Equations equations = equationsAt(pose, a, b, options.last_gate, options);

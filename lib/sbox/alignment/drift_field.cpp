@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/alignment/drift_field.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "sbox/alignment/robust_kernel.h"
+#include "sbox/core/cholesky.h"
 #include "sbox/features/field_lookup.h"
 
 namespace sbox {
@@ -108,7 +108,7 @@ class DriftEquations {
   }
 
   [[nodiscard]] std::vector<Eigen::Vector2d> solve() const {
-    const Eigen::VectorXd solution = matrix_.llt().solve(vector_);
+    const Eigen::VectorXd solution = solvePositiveDefinite(matrix_, vector_);
     std::vector<Eigen::Vector2d> displacements(static_cast<size_t>(nodes()));
     for (int node = 0; node < nodes(); ++node) {
       displacements[static_cast<size_t>(node)] = solution.segment<2>(2 * node);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/alignment/wall_alignment.h"
 
-#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -72,7 +72,7 @@ RigidTransform alignWalls(const MapFeatures& a, const MapFeatures& b, const Rigi
     Normals normals = gatherNormals(a, b, b_in_a, pivot, options);
     // As of a millimetre of wall: keeps what nothing fixes where it was.
     normals.matrix.diagonal() += Eigen::Vector3d(1e-3, 1e-3, 1e-2);
-    const Eigen::Vector3d step = normals.matrix.ldlt().solve(normals.vector);
+    const Eigen::Vector3d step = normals.matrix.inverse() * normals.vector;
     b_in_a.heading += step.z();
     b_in_a.translation = pivot + step.head<2>() - Eigen::Rotation2Dd(b_in_a.heading) * centre_b;
     constexpr double small_shift = 0.005, small_turn = 0.0005;  // Metres; radians.

@@ -7,13 +7,13 @@
 #include <ceres/problem.h>
 #include <ceres/solver.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
+#include "sbox/core/cholesky.h"
 #include "sbox/core/pose_errors.h"
 
 namespace sbox {
@@ -56,7 +56,7 @@ struct EdgeCost {
 EdgeCost costOf(const GraphEdge& edge) {
   const Eigen::Matrix3d turn = turnedAxes(-edge.pose_b_in_a.phi);
   const Eigen::Matrix3d along_b = turn * edge.covariance * turn.transpose();
-  return {edge.pose_b_in_a, along_b.llt().matrixL()};
+  return {edge.pose_b_in_a, choleskyFactor(along_b)};
 }
 
 Node nodeOf(const Pose2D& pose) { return {pose.x, pose.y, pose.phi}; }
@@ -165,8 +165,8 @@ std::vector<PoseCovariance> poseCovariances(const PoseGraphSolution& solution, i
       }
     }
   }
-  const Eigen::MatrixXd inverse_information =
-      information.ldlt().solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
+  const Eigen::MatrixXd inverse_information = solvePositiveDefinite(
+      information, Eigen::MatrixXd::Identity(information.rows(), information.cols()));
   for (int node = 0; node < count; ++node) {
     if (node != reference) {
       const PoseCovariance block =

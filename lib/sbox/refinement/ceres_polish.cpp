@@ -7,7 +7,7 @@
 #include <ceres/sized_cost_function.h>
 #include <ceres/solver.h>
 
-#include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "sbox/alignment/robust_kernel.h"
+#include "sbox/core/cholesky.h"
 
 namespace sbox {
 namespace {
@@ -215,9 +216,8 @@ class Round {
 ceres::CostFunction* createCornerCost(const CornerPair& corner, const Eigen::Vector2d& pivot_b,
                                       double corner_noise) {
   // R = L L^T, so that |L^-1 e|^2 = e^T R^-1 e.
-  const Eigen::Matrix2d root = corner.covariance.llt().matrixL();
-  const Eigen::Matrix2d weight =
-      corner_noise * root.triangularView<Eigen::Lower>().solve(Eigen::Matrix2d::Identity());
+  const Eigen::Matrix2d root = choleskyFactor(corner.covariance);
+  const Eigen::Matrix2d weight = corner_noise * root.inverse();
   return new CornerCost(corner.in_b - pivot_b, corner.in_a, weight);
 }
 
