@@ -8,6 +8,8 @@
 #include <iterator>
 #include <limits>
 
+#include "sbox/core/sort_descending.h"
+
 namespace sbox {
 namespace {
 
@@ -184,9 +186,7 @@ class BoxFinder {
   /// Keeps the boxes with most evidence.
   void keepBest() {
     if (boxes_.size() > static_cast<size_t>(limits_.max_boxes)) {
-      std::stable_sort(boxes_.begin(), boxes_.end(), [](const WallBox& a, const WallBox& b) {
-        return evidence(a) > evidence(b);
-      });
+      sortDescending(boxes_, evidence);
       boxes_.resize(static_cast<size_t>(limits_.max_boxes));
       floor_ = evidence(boxes_.back());
     }

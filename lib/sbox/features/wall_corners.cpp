@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sbox/core/sort_descending.h"
+
 namespace sbox {
 namespace {
 
@@ -71,9 +73,7 @@ std::vector<WallCorner> findCorners(const AxisLines& lines, const CornerOptions&
     }
   }
   if (static_cast<int>(corners.size()) > options.max_corners) {
-    std::stable_sort(corners.begin(), corners.end(), [](const WallCorner& a, const WallCorner& b) {
-      return a.strength > b.strength;
-    });
+    sortDescending(corners, [](const WallCorner& corner) { return corner.strength; });
     corners.resize(static_cast<size_t>(options.max_corners));
   }
   return corners;

@@ -42,7 +42,7 @@ MapPair pairWithBoxesFrom(const Json& json) {
     }
     pair.result.matched_boxes.emplace_back(indexFromJson(match[0]), indexFromJson(match[1]));
   }
-  if (json.at("matched_boxes") != pair.result.matched_boxes.size()) {
+  if (json.at("matched_boxes").get<size_t>() != pair.result.matched_boxes.size()) {
     throw std::invalid_argument("some of the matched boxes are missing");
   }
   return pair;
@@ -97,8 +97,9 @@ std::string shareJson(const MatchedShare& share, const std::vector<std::string>&
 MatchedShare loadShare(const std::string& path) {
   const Bytes bytes = readFile(path, kMostShareBytes);
   try {
-    const Json document = Json::parse(bytes.begin(), bytes.end());
-    if (document.at("kind") != kKind || document.at("version") != kVersion) {
+    const Json document = Json::parse(std::string(bytes.begin(), bytes.end()));
+    if (document.at("kind").get<std::string>() != kKind ||
+        document.at("version").get<int>() != kVersion) {
       throw std::invalid_argument("it is of another kind");
     }
     return shareFrom(document);

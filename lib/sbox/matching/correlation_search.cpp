@@ -10,6 +10,7 @@
 
 #include "sbox/alignment/plausibility.h"
 #include "sbox/core/parallel.h"
+#include "sbox/core/sort_descending.h"
 #include "sbox/matching/turned_bounds.h"
 
 namespace sbox {
@@ -209,9 +210,7 @@ std::vector<Hypothesis> searchByCorrelation(const MapFeatures& a, const MapFeatu
   for (const std::vector<Hypothesis>& of_heading : of_headings) {
     hypotheses.insert(hypotheses.end(), of_heading.begin(), of_heading.end());
   }
-  std::stable_sort(
-      hypotheses.begin(), hypotheses.end(),
-      [](const Hypothesis& left, const Hypothesis& right) { return left.votes > right.votes; });
+  sortDescending(hypotheses, [](const Hypothesis& hypothesis) { return hypothesis.votes; });
   return hypotheses;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sbox/core/sort_descending.h"
+
 namespace sbox {
 namespace {
 
@@ -138,9 +140,7 @@ std::vector<SuppositionalBox> buildBoxes(const std::vector<VerticalPoint>& point
   for (const ClusterLoop& loop : findLoops(CrossingTable(points, clusters), clusters, options)) {
     boxes.push_back(describeBox(cornersOf(loop, clusters)));
   }
-  std::stable_sort(
-      boxes.begin(), boxes.end(),
-      [](const SuppositionalBox& p, const SuppositionalBox& q) { return p.area > q.area; });
+  sortDescending(boxes, [](const SuppositionalBox& box) { return box.area; });
   boxes.resize(std::min(boxes.size(), static_cast<size_t>(std::max(0, options.max_boxes))));
   return boxes;
 }

@@ -10,6 +10,7 @@
 
 #include "sbox/core/logit.h"
 #include "sbox/core/round.h"
+#include "sbox/core/sort_descending.h"
 #include "sbox/placement/settled_group.h"
 
 namespace sbox {
@@ -163,18 +164,13 @@ std::optional<JoinEvidence> weighJoin(const std::vector<CrossPair>& pairs,
                                       const SamePoseOptions& same_pose) {
   std::vector<JoinEvidence> distinct;
   std::vector<JoinEvidence> weighed;
+  std::vector<double> keys;
   const std::vector<Proposal> proposals = proposalsOf(pairs);
   for (const Proposal& proposal : proposals) {
     weighed.push_back(weigh(proposal.second_in_first, pairs, maps, same_pose));
+    keys.push_back(weighed.back().log_odds);
   }
-  std::vector<size_t> order(proposals.size());
-  for (size_t i = 0; i < order.size(); ++i) {
-    order[i] = i;
-  }
-  std::stable_sort(order.begin(), order.end(), [&](size_t left, size_t right) {
-    return weighed[left].log_odds > weighed[right].log_odds;
-  });
-  for (const size_t i : order) {
+  for (const size_t i : descendingOrder(keys)) {
     const CrossPair& from = *proposals[i].from;
     const Footprint& a = footprint(maps, from.pair->a);
     const Footprint& b = footprint(maps, from.pair->b);

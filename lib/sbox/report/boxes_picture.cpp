@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sbox/core/sort_descending.h"
 #include "sbox/report/drawing/figure.h"
 #include "sbox/report/drawing/paint.h"
 #include "sbox/report/drawing/text.h"
@@ -57,9 +58,7 @@ std::vector<Match> distinctMatches(const BoxesOfMap& a, const BoxesOfMap& b,
     matches.push_back(
         {a.boxes->at(static_cast<size_t>(in_a)), b.boxes->at(static_cast<size_t>(in_b))});
   }
-  std::stable_sort(matches.begin(), matches.end(), [](const Match& left, const Match& right) {
-    return area(left.in_a) > area(right.in_a);
-  });
+  sortDescending(matches, [](const Match& match) { return area(match.in_a); });
   const auto alike = [&](const BoxCorners& left, const BoxCorners& right) {
     return overlap(left, right) > most_overlap || (centre(left) - centre(right)).norm() < label_gap;
   };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sbox/alignment/plausibility.h"
+#include "sbox/core/sort_descending.h"
 
 namespace sbox {
 namespace {
@@ -28,8 +29,7 @@ double likenessInOrder(const MapFeatures& a, const MapFeatures& b, const Likenes
   for (const Hypothesis& hypothesis : voteForTransforms(a, b, votes)) {
     ranked.emplace_back(scored(hypothesis.b_in_a, options.first_points), hypothesis.b_in_a);
   }
-  std::stable_sort(ranked.begin(), ranked.end(),
-                   [](const auto& left, const auto& right) { return left.first > right.first; });
+  sortDescending(ranked, [](const auto& candidate) { return candidate.first; });
   ranked.resize(std::min(ranked.size(), static_cast<size_t>(std::max(options.kept, 0))));
   double best = kImplausible;
   for (const auto& [first_score, b_in_a] : ranked) {

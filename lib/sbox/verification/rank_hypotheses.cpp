@@ -9,6 +9,7 @@
 #include "sbox/alignment/plausibility.h"
 #include "sbox/core/parallel.h"
 #include "sbox/core/pose.h"
+#include "sbox/core/sort_descending.h"
 #include "sbox/verification/same_answer.h"
 #include "sbox/verification/verdict_model.h"
 
@@ -21,9 +22,7 @@ struct Ranked {
 };
 
 void keepBest(std::vector<Ranked>& ranked, int count) {
-  std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& left, const Ranked& right) {
-    return left.score > right.score;
-  });
+  sortDescending(ranked, [](const Ranked& candidate) { return candidate.score; });
   ranked.resize(std::min(ranked.size(), static_cast<size_t>(std::max(count, 0))));
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sbox/core/sort_descending.h"
+
 namespace sbox {
 
 double distanceWhenBent(const MapFeatures& a, const MapFeatures& b, const Fit& left,
@@ -41,9 +43,7 @@ void mergeAnswers(const MapFeatures& a, const MapFeatures& b, std::vector<Fit>& 
       same->probability += fit.probability;
     }
   }
-  std::stable_sort(answers.begin(), answers.end(), [](const Fit& left, const Fit& right) {
-    return left.probability > right.probability;
-  });
+  sortDescending(answers, [](const Fit& answer) { return answer.probability; });
   fits = std::move(answers);
 }
 

@@ -8,6 +8,7 @@
 
 #include "sbox/core/logit.h"
 #include "sbox/core/principal_axes.h"
+#include "sbox/core/sort_descending.h"
 
 namespace sbox {
 
@@ -53,9 +54,7 @@ void judge(std::vector<Fit>& fits, const VerdictModel& model) {
   for (size_t i = 0; i < fits.size(); ++i) {
     fits[i].probability = probabilities[i];
   }
-  std::stable_sort(fits.begin(), fits.end(), [](const Fit& left, const Fit& right) {
-    return left.log_odds > right.log_odds;
-  });
+  sortDescending(fits, [](const Fit& fit) { return fit.log_odds; });
 }
 
 }  // namespace sbox
