@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/placement/pose_graph.h"
 
-#include <ceres/autodiff_cost_function.h>
 #include <ceres/loss_function.h>
 #include <ceres/problem.h>
+#include <ceres/sized_cost_function.h>
 #include <ceres/solver.h>
 
 #include <algorithm>
@@ -14,68 +14,40 @@
 #include <utility>
 
 #include "sbox/core/cholesky.h"
-#include "sbox/core/pose_errors.h"
+#include "sbox/placement/edge_residual.h"
 
 namespace sbox {
 namespace {
 
 using Node = std::array<double, 3>;
-
-/// Where an edge says that node b lies against where it does: the logarithm of the transform from
-/// one to the other, in standard deviations. Unlike a difference of coordinates it is the same for
-/// the inverse edge, so that the order of the maps does not matter.
-struct EdgeCost {
-  Pose2D pose_b_in_a;
-  Eigen::Matrix3d root;  ///< L of the covariance L L^T along the axes of b.
-
-  template <typename T>
-  bool operator()(const T* a, const T* b, T* residuals) const {
-    using std::abs;
-    using std::cos;
-    using std::floor;
-    using std::sin;
-    T turn = b[2] - a[2] - pose_b_in_a.phi;
-    turn -= 2 * M_PI * floor(turn / (2 * M_PI) + 0.5);
-    // From the edge's b to the node, along the axes of the edge's b.
-    const T heading = a[2] + pose_b_in_a.phi;
-    const T c = cos(heading), s = sin(heading);
-    const T dx = b[0] - a[0], dy = b[1] - a[1];
-    const double ce = std::cos(pose_b_in_a.phi), se = std::sin(pose_b_in_a.phi);
-    const T x = c * dx + s * dy - (ce * pose_b_in_a.x + se * pose_b_in_a.y);
-    const T y = -s * dx + c * dy - (ce * pose_b_in_a.y - se * pose_b_in_a.x);
-    const T half = turn / 2.0;
-    const T along = abs(half) < 1e-4 ? 1.0 - half * half / 3.0 : half * cos(half) / sin(half);
-    // root^-1 (along x + half y, along y - half x, turn), by forward substitution.
-    residuals[0] = (along * x + half * y) / root(0, 0);
-    residuals[1] = (along * y - half * x - root(1, 0) * residuals[0]) / root(1, 1);
-    residuals[2] = (turn - root(2, 0) * residuals[0] - root(2, 1) * residuals[1]) / root(2, 2);
-    return true;
-  }
-};
-
-EdgeCost costOf(const GraphEdge& edge) {
-  const Eigen::Matrix3d turn = turnedAxes(-edge.pose_b_in_a.phi);
-  const Eigen::Matrix3d along_b = turn * edge.covariance * turn.transpose();
-  return {edge.pose_b_in_a, choleskyFactor(along_b)};
-}
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 Node nodeOf(const Pose2D& pose) { return {pose.x, pose.y, pose.phi}; }
 
-/// Derivative of an edge's (x, y, phi) by those of its nodes, whitened.
-void edgeJacobians(const GraphEdge& edge, const std::vector<Pose2D>& poses, Eigen::Matrix3d& by_a,
-                   Eigen::Matrix3d& by_b) {
-  const ceres::AutoDiffCostFunction<EdgeCost, 3, 3, 3> cost(new EdgeCost(costOf(edge)));
-  const Node a = nodeOf(poses[static_cast<size_t>(edge.a)]);
-  const Node b = nodeOf(poses[static_cast<size_t>(edge.b)]);
-  const std::array<const double*, 2> nodes{a.data(), b.data()};
-  Eigen::Vector3d residual;
-  using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-  Rows rows_a = Rows::Zero(), rows_b = Rows::Zero();
-  std::array<double*, 2> jacobians{rows_a.data(), rows_b.data()};
-  cost.Evaluate(nodes.data(), residual.data(), jacobians.data());
-  by_a = rows_a;
-  by_b = rows_b;
-}
+Eigen::Vector3d vectorOf(const Pose2D& pose) { return {pose.x, pose.y, pose.phi}; }
+
+/// The residual of an edge, for Ceres.
+class EdgeCost final : public ceres::SizedCostFunction<3, 3, 3> {
+ public:
+  explicit EdgeCost(const GraphEdge& edge) : residual_(edge.pose_b_in_a, edge.covariance) {}
+  bool Evaluate(const double* const* nodes, double* residual, double** by_nodes) const override {
+    const Eigen::Vector3d a(nodes[0]), b(nodes[1]);
+    Eigen::Map<Eigen::Vector3d>{residual} = residual_.at(a, b);
+    if (by_nodes != nullptr) {
+      const EdgeJacobians jacobians = residual_.jacobiansAt(a, b);
+      if (by_nodes[0] != nullptr) {
+        Eigen::Map<RowMajor>{by_nodes[0]} = jacobians.by_a;
+      }
+      if (by_nodes[1] != nullptr) {
+        Eigen::Map<RowMajor>{by_nodes[1]} = jacobians.by_b;
+      }
+    }
+    return true;
+  }
+
+ private:
+  EdgeResidual residual_;
+};
 
 /// How much of an edge's information is left by Cauchy's loss.
 double cauchyWeight(double squared_residual, double scale) {
@@ -85,10 +57,9 @@ double cauchyWeight(double squared_residual, double scale) {
 }  // namespace
 
 double squaredResidual(const GraphEdge& edge, const Pose2D& pose_a, const Pose2D& pose_b) {
-  const Node a = nodeOf(pose_a), b = nodeOf(pose_b);
-  Eigen::Vector3d residual;
-  costOf(edge)(a.data(), b.data(), residual.data());
-  return residual.squaredNorm();
+  return EdgeResidual(edge.pose_b_in_a, edge.covariance)
+      .at(vectorOf(pose_a), vectorOf(pose_b))
+      .squaredNorm();
 }
 
 PoseGraphSolution solvePoseGraph(const std::vector<Pose2D>& start, int reference,
@@ -107,9 +78,8 @@ PoseGraphSolution solvePoseGraph(const std::vector<Pose2D>& start, int reference
     problem.AddParameterBlock(fixed.data(), 3);
     problem.SetParameterBlockConstant(fixed.data());
     for (const GraphEdge& edge : edges) {
-      problem.AddResidualBlock(
-          new ceres::AutoDiffCostFunction<EdgeCost, 3, 3, 3>(new EdgeCost(costOf(edge))), &loss,
-          nodes[static_cast<size_t>(edge.a)].data(), nodes[static_cast<size_t>(edge.b)].data());
+      problem.AddResidualBlock(new EdgeCost(edge), &loss, nodes[static_cast<size_t>(edge.a)].data(),
+                               nodes[static_cast<size_t>(edge.b)].data());
     }
     ceres::Solver::Options solver;
     // For thousands of nodes. Eigen's, which adds in the same order whatever the machine.
@@ -153,9 +123,13 @@ std::vector<PoseCovariance> poseCovariances(const PoseGraphSolution& solution, i
   const auto rowOf = [&](int node) { return 3 * (node < reference ? node : node - 1); };
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(3 * (count - 1), 3 * (count - 1));
   for (size_t i = 0; i < edges.size(); ++i) {
-    const std::array<int, 2> nodes{edges[i].a, edges[i].b};
-    std::array<Eigen::Matrix3d, 2> jacobians;
-    edgeJacobians(edges[i], solution.poses, jacobians[0], jacobians[1]);
+    const GraphEdge& edge = edges[i];
+    const std::array<int, 2> nodes{edge.a, edge.b};
+    const auto [by_a, by_b] =
+        EdgeResidual(edge.pose_b_in_a, edge.covariance)
+            .jacobiansAt(vectorOf(solution.poses[static_cast<size_t>(edge.a)]),
+                         vectorOf(solution.poses[static_cast<size_t>(edge.b)]));
+    const std::array<Eigen::Matrix3d, 2> jacobians{by_a, by_b};
     for (size_t row = 0; row < 2; ++row) {
       for (size_t column = 0; column < 2; ++column) {
         if (nodes[row] != reference && nodes[column] != reference) {

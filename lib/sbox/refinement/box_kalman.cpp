@@ -10,6 +10,7 @@ namespace sbox {
 namespace {
 
 using Jacobian = Eigen::Matrix<double, 2, 3>;
+using Cross = Eigen::Matrix<double, 3, 2>;
 
 /// The filter's state (x, y, heading): the pivot's place in map a.
 class CornerFilter {
@@ -33,20 +34,18 @@ class CornerFilter {
     Jacobian jacobian;
     jacobian << 1, 0, -arm.y(),  //
         0, 1, arm.x();
-    const Eigen::Matrix2d spread =
-        jacobian * covariance_ * jacobian.transpose() + corner.covariance;
+    const Cross cross = covariance_ * jacobian.transpose();
+    const Eigen::Matrix2d spread = jacobian * cross + corner.covariance;
     const Eigen::Matrix2d inverse_spread = spread.inverse();
     if (innovation.dot(inverse_spread * innovation) > gate) {
       return false;
     }
     // Eq. 13 by the usual gain G = P H^T (H P H^T + R)^-1, which is one minus the paper's K.
-    const Eigen::Matrix<double, 3, 2> gain = covariance_ * jacobian.transpose() * inverse_spread;
+    const Cross gain = cross * inverse_spread;
     // Eq. 14: X' = X^ + G (Z - X^).
     state_ += gain * innovation;
-    // P' in Joseph's form, which stays symmetric and positive.
-    const Eigen::Matrix3d rest = Eigen::Matrix3d::Identity() - gain * jacobian;
-    covariance_ =
-        rest * covariance_ * rest.transpose() + gain * corner.covariance * gain.transpose();
+    // P' = P - G H P.
+    covariance_ -= gain * cross.transpose();
     return true;
   }
 
