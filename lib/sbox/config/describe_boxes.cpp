@@ -146,6 +146,8 @@ void describeVerification(PairOptions& options, OptionTable& table) {
   table.count("fine_points", ranking.fine_points, {1, 100000},
               "Wall points that these are asked of");
   table.count("aligned", ranking.aligned, {1, 10000}, "Hypotheses that are aligned to the walls");
+  table.number("aligned_within", ranking.aligned_within, {0, 1000},
+               "Of the most plausible of them; others go no further, log odds");
   table.count("kept", ranking.kept, {1, 1000}, "Fits that are judged");
   table.number("kept_within", ranking.kept_within, {0, 1000},
                "Of the most plausible fit, log odds");

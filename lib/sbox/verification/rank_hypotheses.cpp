@@ -68,6 +68,14 @@ void keepDistinct(std::vector<Ranked>& ranked, int count, const Eigen::Vector2d&
   ranked = std::move(distinct);
 }
 
+/// Drops what is far less plausible than the best; `ranked` is in order.
+void dropHopeless(std::vector<Ranked>& ranked, double within) {
+  const auto is_hopeless = [&](const Ranked& candidate) {
+    return candidate.score <= kImplausible || candidate.score < ranked.front().score - within;
+  };
+  ranked.erase(std::find_if(ranked.begin(), ranked.end(), is_hopeless), ranked.end());
+}
+
 /// Slopes that the drift gives to walls, over those that walls have within a map: what bends maps
 /// against each other bends each in itself.
 double bendRatio(const MapFeatures& a, const MapFeatures& b, const DriftField& drift) {
@@ -144,16 +152,14 @@ void addFits(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked> ran
              const RankingOptions& options, const EvidenceWeights& weights,
              const EvidenceWeights& bent_weights, int threads, std::vector<Fit>& fits) {
   const Eigen::Vector2d centre_b = b.middle();
-  for (const AlignmentOptions& alignment : {options.first_alignment, options.alignment}) {
-    align(a, b, ranked, alignment, how, options, weights, threads);
-    keepBest(ranked, options.aligned);
-    keepDistinct(ranked, options.kept, centre_b, options);
-  }
-  const auto is_hopeless = [&](const Ranked& candidate) {
-    return candidate.score <= kImplausible ||
-           candidate.score < ranked.front().score - options.kept_within;
-  };
-  ranked.erase(std::find_if(ranked.begin(), ranked.end(), is_hopeless), ranked.end());
+  align(a, b, ranked, options.first_alignment, how, options, weights, threads);
+  keepBest(ranked, options.aligned);
+  keepDistinct(ranked, options.kept, centre_b, options);
+  dropHopeless(ranked, options.aligned_within);
+  align(a, b, ranked, options.alignment, how, options, weights, threads);
+  keepBest(ranked, options.aligned);
+  keepDistinct(ranked, options.kept, centre_b, options);
+  dropHopeless(ranked, options.kept_within);
   std::vector<Fit> fits_of_ranked(ranked.size());
   parallelFor(static_cast<int>(ranked.size()), threads, [&](int i) {
     const auto index = static_cast<size_t>(i);

@@ -22,9 +22,10 @@ struct RankingOptions {
   int first_points = 32;       ///< Wall points of each map that every hypothesis is asked of.
   int first_kept = 400;        ///< Hypotheses kept after that.
   int coarse_points = 100;     ///< Wall points that these are asked of.
-  int coarse_kept = 80;        ///< Hypotheses kept after that.
+  int coarse_kept = 60;        ///< Hypotheses kept after that.
   int fine_points = 500;       ///< Wall points that these are asked of.
-  int aligned = 25;            ///< Distinct hypotheses that are aligned.
+  int aligned = 20;            ///< Distinct hypotheses that are aligned.
+  double aligned_within = 16;  ///< Those further from the most plausible go no further, log odds.
   int kept = 12;               ///< Distinct fits that are looked at with the drift taken out ...
   double kept_within = 12;     ///< ... if they are this near to the most plausible, log odds.
   int bent_points = 2000;      ///< Wall points that these are asked of.
@@ -33,7 +34,7 @@ struct RankingOptions {
   double same_bent = 0.6;      ///< Fits that lay the walls this near once bent are one, metres.
   EvidenceOptions evidence;    ///< Of rigid transforms.
   EvidenceOptions bent_evidence = {0.25, 0.15, 0.45};  ///< With the drift taken out.
-  AlignmentOptions first_alignment = {1.25, 10, 500};  ///< Of the best ones, coarsely ...
+  AlignmentOptions first_alignment = {1.25, 6, 500};   ///< Of the best ones, coarsely ...
   AlignmentOptions alignment;                          ///< ... and of those that are kept.
   /// Of the careful alignment that a thorough search adds where walls are dense, metres.
   double narrow_kernel = 0.4;
