@@ -12,10 +12,10 @@
 
 namespace sbox {
 
-/// Derivatives of a residual by (x, y, phi) of either node.
+/// Derivatives of a residual.
 struct EdgeJacobians {
-  Eigen::Matrix3d by_a;
-  Eigen::Matrix3d by_b;
+  Eigen::Matrix3d by_a;  ///< By (x, y, phi) of node a.
+  Eigen::Matrix3d by_b;  ///< By that of node b.
 };
 
 /// The residual of one edge, wherever its nodes are.
@@ -27,6 +27,7 @@ class EdgeResidual {
   /// Its squared length is the squared distance between edge and nodes. `a`, `b`: (x, y, phi) of
   /// the nodes.
   [[nodiscard]] Eigen::Vector3d at(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
+  /// How that changes with the nodes.
   [[nodiscard]] EdgeJacobians jacobiansAt(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
 
  private:
