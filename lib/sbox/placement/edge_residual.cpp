@@ -66,8 +66,7 @@ EdgeJacobians EdgeResidual::jacobiansAt(const Eigen::Vector3d& a, const Eigen::V
   by_gap << along.value, half, along.by_turn * gap.shift.x() + gap.shift.y() / 2,  //
       -half, along.value, along.by_turn * gap.shift.y() - gap.shift.x() / 2,       //
       0, 0, 1;
-  Eigen::Matrix3d gap_by_b = Eigen::Matrix3d::Identity();
-  gap_by_b.topLeftCorner<2, 2>() = gap.to_edge.toRotationMatrix();
+  const Eigen::Matrix3d gap_by_b = turnedAxes(gap.to_edge.angle());
   Eigen::Matrix3d gap_by_a = -gap_by_b;
   gap_by_a(0, 2) = gap.apart.y();
   gap_by_a(1, 2) = -gap.apart.x();

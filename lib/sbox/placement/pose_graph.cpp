@@ -19,19 +19,17 @@
 namespace sbox {
 namespace {
 
-using Node = std::array<double, 3>;
+using Node = Eigen::Vector3d;  // x, y, phi.
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 Node nodeOf(const Pose2D& pose) { return {pose.x, pose.y, pose.phi}; }
-
-Eigen::Vector3d vectorOf(const Pose2D& pose) { return {pose.x, pose.y, pose.phi}; }
 
 /// The residual of an edge, for Ceres.
 class EdgeCost final : public ceres::SizedCostFunction<3, 3, 3> {
  public:
   explicit EdgeCost(const GraphEdge& edge) : residual_(edge.pose_b_in_a, edge.covariance) {}
   bool Evaluate(const double* const* nodes, double* residual, double** by_nodes) const override {
-    const Eigen::Vector3d a(nodes[0]), b(nodes[1]);
+    const Node a(nodes[0]), b(nodes[1]);
     Eigen::Map<Eigen::Vector3d>{residual} = residual_.at(a, b);
     if (by_nodes != nullptr) {
       const EdgeJacobians jacobians = residual_.jacobiansAt(a, b);
@@ -58,7 +56,7 @@ double cauchyWeight(double squared_residual, double scale) {
 
 double squaredResidual(const GraphEdge& edge, const Pose2D& pose_a, const Pose2D& pose_b) {
   return EdgeResidual(edge.pose_b_in_a, edge.covariance)
-      .at(vectorOf(pose_a), vectorOf(pose_b))
+      .at(nodeOf(pose_a), nodeOf(pose_b))
       .squaredNorm();
 }
 
@@ -125,10 +123,9 @@ std::vector<PoseCovariance> poseCovariances(const PoseGraphSolution& solution, i
   for (size_t i = 0; i < edges.size(); ++i) {
     const GraphEdge& edge = edges[i];
     const std::array<int, 2> nodes{edge.a, edge.b};
-    const auto [by_a, by_b] =
-        EdgeResidual(edge.pose_b_in_a, edge.covariance)
-            .jacobiansAt(vectorOf(solution.poses[static_cast<size_t>(edge.a)]),
-                         vectorOf(solution.poses[static_cast<size_t>(edge.b)]));
+    const auto [by_a, by_b] = EdgeResidual(edge.pose_b_in_a, edge.covariance)
+                                  .jacobiansAt(nodeOf(solution.poses[static_cast<size_t>(edge.a)]),
+                                               nodeOf(solution.poses[static_cast<size_t>(edge.b)]));
     const std::array<Eigen::Matrix3d, 2> jacobians{by_a, by_b};
     for (size_t row = 0; row < 2; ++row) {
       for (size_t column = 0; column < 2; ++column) {

@@ -152,14 +152,14 @@ void addFits(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked> ran
              const RankingOptions& options, const EvidenceWeights& weights,
              const EvidenceWeights& bent_weights, int threads, std::vector<Fit>& fits) {
   const Eigen::Vector2d centre_b = b.middle();
-  align(a, b, ranked, options.first_alignment, how, options, weights, threads);
-  keepBest(ranked, options.aligned);
-  keepDistinct(ranked, options.kept, centre_b, options);
-  dropHopeless(ranked, options.aligned_within);
-  align(a, b, ranked, options.alignment, how, options, weights, threads);
-  keepBest(ranked, options.aligned);
-  keepDistinct(ranked, options.kept, centre_b, options);
-  dropHopeless(ranked, options.kept_within);
+  for (const auto& [alignment, within] :
+       {std::make_pair(options.first_alignment, options.aligned_within),
+        std::make_pair(options.alignment, options.kept_within)}) {
+    align(a, b, ranked, alignment, how, options, weights, threads);
+    keepBest(ranked, options.aligned);
+    keepDistinct(ranked, options.kept, centre_b, options);
+    dropHopeless(ranked, within);
+  }
   std::vector<Fit> fits_of_ranked(ranked.size());
   parallelFor(static_cast<int>(ranked.size()), threads, [&](int i) {
     const auto index = static_cast<size_t>(i);
