@@ -162,6 +162,24 @@ TEST_CASE("evidence is what each wall and each free point says by itself", "[ali
   CHECK(conflicted > 10);
 }
 
+TEST_CASE("an overlap alone is that of the whole evidence", "[alignment]") {
+  std::mt19937 random(8);
+  for (unsigned seed = 1; seed <= 4; ++seed) {
+    const MapFeatures a = test::scatteredMap(seed).features;
+    const MapFeatures b = test::scatteredMap(seed + 100, 50).features;
+    const RigidTransform b_in_a = randomTransform(random);
+    const size_t most_points = seed % 2 == 0 ? kAllPoints : 50;
+    const Overlap overlap = measureOverlap(a, b, b_in_a, most_points);
+    const Evidence evidence = gatherEvidence(a, b, b_in_a, most_points);
+    CHECK(overlap.known > 1);
+    CHECK(overlap.known == Approx(evidence.known));
+    CHECK(overlap.agree == Approx(evidence.agree));
+    CHECK(overlap.conflict == Approx(evidence.conflict));
+    CHECK(overlap.free_free > 1);
+    CHECK(overlap.free_free == Approx(evidence.free_free));
+  }
+}
+
 TEST_CASE("that places are told apart by cells changes little", "[alignment]") {
   std::mt19937 random(6);
   double found = 0, exact = 0;

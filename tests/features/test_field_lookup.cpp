@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <array>
 #include <limits>
 #include <random>
 #include <tuple>
@@ -36,6 +37,9 @@ std::vector<Vector2d> places(const WallFields& fields) {
   return places;
 }
 
+/// As `addresses_of`: nothing of the fields is read.
+constexpr auto kNothingRead = [](size_t, size_t) { return std::array<const void*, 0>(); };
+
 }  // namespace
 
 TEST_CASE("many points find their cells, walls and depths as one by one", "[features]") {
@@ -47,7 +51,8 @@ TEST_CASE("many points find their cells, walls and depths as one by one", "[feat
 
   std::vector<std::tuple<size_t, size_t>> cells, cells_found;
   std::vector<std::tuple<size_t, int, int>> values, values_found;
-  std::vector<std::tuple<size_t, double, size_t>> walls, walls_found;
+  std::vector<std::tuple<size_t, int>> depths, depths_found;
+  std::vector<std::tuple<size_t, double, const WallPoint*>> walls, walls_found;
   for (size_t i = 0; i < points.size(); ++i) {
     const std::ptrdiff_t cell = fields.cellAt(points[i].x(), points[i].y());
     if (cell < 0) {
@@ -57,18 +62,22 @@ TEST_CASE("many points find their cells, walls and depths as one by one", "[feat
     const size_t sector = sectorOf(directionOf(i));
     cells.emplace_back(i, k);
     values.emplace_back(i, fields.distances[sector][k], fields.free_depth[k]);
+    depths.emplace_back(i, fields.free_depth[k]);
     if (fields.nearest[sector][k] >= 0) {
-      walls.emplace_back(i, points[i].x(), static_cast<size_t>(fields.nearest[sector][k]));
+      walls.emplace_back(i, points[i].x(),
+                         &map.wall_points[static_cast<size_t>(fields.nearest[sector][k])]);
     }
   }
-  forEachCell(fields, points.size(), placeOf,
+  forEachCell(fields, points.size(), placeOf, kNothingRead,
               [&](size_t i, const Vector2d&, size_t cell) { cells_found.emplace_back(i, cell); });
   forEachField(fields, points.size(), placeOf, directionOf, [&](size_t i, int distance, int depth) {
     values_found.emplace_back(i, distance, depth);
   });
-  forEachNearest(fields, points.size(), placeOf, directionOf,
-                 [&](size_t i, const Vector2d& place, size_t nearest) {
-                   walls_found.emplace_back(i, place.x(), nearest);
+  forEachDepth(fields, points.size(), placeOf,
+               [&](size_t i, int depth) { depths_found.emplace_back(i, depth); });
+  forEachNearest(fields, map.wall_points, points.size(), placeOf, directionOf,
+                 [&](size_t i, const Vector2d& place, const WallPoint& nearest) {
+                   walls_found.emplace_back(i, place.x(), &nearest);
                  });
   CHECK(cells.size() > 400);
   CHECK(cells.size() < points.size() - 200);
@@ -76,6 +85,7 @@ TEST_CASE("many points find their cells, walls and depths as one by one", "[feat
   CHECK(walls.size() < cells.size() - 100);
   CHECK(cells_found == cells);
   CHECK(values_found == values);
+  CHECK(depths_found == depths);
   CHECK(walls_found == walls);
 }
 
@@ -83,7 +93,7 @@ TEST_CASE("fields of nothing hold no point", "[features]") {
   const WallFields none = makeFields(StateGrid(), {});
   int found = 0;
   forEachCell(
-      none, 3, [](size_t) { return Vector2d(0, 0); },
+      none, 3, [](size_t) { return Vector2d(0, 0); }, kNothingRead,
       [&](size_t, const Vector2d&, size_t) { ++found; });
   CHECK(found == 0);
 }

@@ -188,25 +188,23 @@ DriftField estimateDrift(const MapFeatures& a, const MapFeatures& b, const Rigid
         scaleOfRound(round, options.rounds, options.first_kernel, options.last_kernel);
     DriftEquations equations(field, options);
     forEachNearest(
-        a.fields, count_b,
+        a.fields, a.wall_points, count_b,
         [&](size_t i) {
           return Eigen::Vector2d(rigid_b[i] + displacementAt(field, stencils_b[i]));
         },
         [&](size_t i) { return static_cast<ByteAngle>(b.wall_directions[i] + byte_turn); },
-        [&](size_t i, const Eigen::Vector2d& p, size_t nearest) {
-          const WallPoint& target = a.wall_points[nearest];
+        [&](size_t i, const Eigen::Vector2d& p, const WallPoint& target) {
           equations.add(stencils_b[i], target.position - rigid_b[i], target.normal,
                         length_b * robustWeight((target.position - p).squaredNorm(), kernel));
         });
     forEachNearest(
-        b.fields, count_a,
+        b.fields, b.wall_points, count_a,
         [&](size_t i) {
           return to_b(a.wall_points[i].position - displacementAt(field, stencils_a[i]));
         },
         [&](size_t i) { return static_cast<ByteAngle>(a.wall_directions[i] - byte_turn); },
-        [&](size_t i, const Eigen::Vector2d&, size_t nearest) {
+        [&](size_t i, const Eigen::Vector2d&, const WallPoint& source) {
           const Eigen::Vector2d& p = a.wall_points[i].position;
-          const WallPoint& source = b.wall_points[nearest];
           const Eigen::Vector2d rigid = to_a(source.position);
           const Stencil stencil = stencilAt(field, rigid);
           const Eigen::Vector2d left = p - rigid - displacementAt(field, stencil);

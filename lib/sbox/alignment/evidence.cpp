@@ -10,49 +10,70 @@
 namespace sbox {
 namespace {
 
+/// Calls note(i, wall) with what is found of each of the first `count` wall points of `from` in the
+/// fields of `to`, per metre of wall; `place` tells where a point of the one lies in the other.
+template <typename Place, typename Note>
+void lookWallsUp(const MapFeatures& from, const MapFeatures& to, double heading, const Place& place,
+                 size_t count, const EvidenceWeights& weights, const Note& note) {
+  const ByteAngle turn = toByteAngle(heading);
+  forEachField(
+      to.fields, count, [&](size_t i) { return place(from.wall_points[i].position); },
+      [&](size_t i) { return static_cast<ByteAngle>(from.wall_directions[i] + turn); },
+      [&](size_t i, std::uint8_t distance, std::uint8_t depth) {
+        const double agree = weights.agree[distance];
+        // Where the other map is free, it knows of the wall in full.
+        note(i, WallSums{std::max(agree, static_cast<double>(depth > 0)), agree,
+                         weights.conflict[depth] * (1 - agree)});
+      });
+}
+
+/// Free space of `from` that is free in `to`, square metres.
+template <typename Place>
+double freeInBoth(const MapFeatures& from, const MapFeatures& to, const Place& place,
+                  size_t most_points) {
+  const size_t count = std::min(most_points, from.free_points.size());
+  size_t free = 0;
+  forEachDepth(
+      to.fields, count, [&](size_t i) { return place(from.free_points[i]); },
+      [&](size_t, std::uint8_t depth) { free += depth > 0 ? 1 : 0; });
+  return count > 0 ? static_cast<double>(free) * (from.freeArea() / static_cast<double>(count)) : 0;
+}
+
+/// What measureOverlap() finds of the walls and the free space of `from` alone.
+Overlap overlapOneWay(const MapFeatures& from, const MapFeatures& to, const RigidTransform& to_from,
+                      size_t most_points, const EvidenceWeights& weights) {
+  const PointMover place(to_from);
+  const size_t count = std::min(most_points, from.wall_points.size());
+  WallSums sum;
+  lookWallsUp(from, to, to_from.heading, place, count, weights,
+              [&](size_t, const WallSums& wall) { sum += wall; });
+  return {from.wallLengthPerPoint(count) * sum, freeInBoth(from, to, place, most_points)};
+}
+
 struct OneWay {
   Eigen::Matrix2d facing = Eigen::Matrix2d::Zero();  ///< In the frame of the walls' own map.
   WallSums straight, clutter;
   double free_free = 0;
 };
 
-/// The walls and free space of `from` looked up in the fields of `to`; `place` tells where a point
-/// of the one lies in the other. Calls note(i, wall) with what was found of the i-th wall point,
-/// metres.
+/// The walls and free space of `from` looked up in the fields of `to`. Calls note(i, wall) with
+/// what was found of the i-th wall point, metres.
 template <typename Place, typename Note>
 OneWay lookUp(const MapFeatures& from, const MapFeatures& to, double heading, const Place& place,
               size_t most_points, const EvidenceWeights& weights, const Note& note) {
-  const WallFields& fields = to.fields;
-  const ByteAngle turn = toByteAngle(heading);
   OneWay sum;
-  const size_t walls = std::min(most_points, from.wall_points.size());
-  const double per_point = from.wallLengthPerPoint(walls);
-  forEachField(
-      fields, walls, [&](size_t i) { return place(from.wall_points[i].position); },
-      [&](size_t i) { return static_cast<ByteAngle>(from.wall_directions[i] + turn); },
-      [&](size_t i, std::uint8_t distance, std::uint8_t depth) {
-        const auto agree = static_cast<double>(weights.agree[distance]);
-        const WallPoint& point = from.wall_points[i];
-        sum.facing += agree * point.normal * point.normal.transpose();
-        // Where the other map is free, it knows of the wall in full.
-        const WallSums wall = {std::max(agree, static_cast<double>(depth > 0)), agree,
-                               static_cast<double>(weights.conflict[depth]) * (1 - agree)};
-        (point.line_length >= weights.straight_from ? sum.straight : sum.clutter) += wall;
-        note(i, per_point * wall);
-      });
+  const size_t count = std::min(most_points, from.wall_points.size());
+  const double per_point = from.wallLengthPerPoint(count);
+  lookWallsUp(from, to, heading, place, count, weights, [&](size_t i, const WallSums& wall) {
+    const WallPoint& point = from.wall_points[i];
+    sum.facing += wall.agree * point.normal * point.normal.transpose();
+    (point.line_length >= weights.straight_from ? sum.straight : sum.clutter) += wall;
+    note(i, per_point * wall);
+  });
   sum.facing *= per_point;
   sum.straight = per_point * sum.straight;
   sum.clutter = per_point * sum.clutter;
-
-  const size_t free = std::min(most_points, from.free_points.size());
-  size_t free_free = 0;
-  forEachCell(
-      fields, free, [&](size_t i) { return place(from.free_points[i]); },
-      [&](size_t, const Eigen::Vector2d&, size_t cell) {
-        free_free += fields.free_depth[cell] > 0 ? 1 : 0;
-      });
-  sum.free_free =
-      static_cast<double>(free_free) * (free > 0 ? from.freeArea() / static_cast<double>(free) : 0);
+  sum.free_free = freeInBoth(from, to, place, most_points);
   return sum;
 }
 
@@ -73,16 +94,21 @@ EvidenceWeights::EvidenceWeights(const EvidenceOptions& options)
   for (size_t i = 0; i < 256; ++i) {
     const double metres = static_cast<double>(i) * WallFields::unit;
     // At the largest value there is no wall within reach.
-    agree[i] = i < WallFields::far
-                   ? static_cast<float>(std::exp(-0.5 * std::pow(metres / options.kernel, 2)))
-                   : 0.F;
-    conflict[i] = static_cast<float>(conflictWeight(metres, options));
+    agree[i] = i < WallFields::far ? std::exp(-0.5 * std::pow(metres / options.kernel, 2)) : 0;
+    conflict[i] = conflictWeight(metres, options);
   }
 }
 
 double conflictWeight(double depth, const EvidenceOptions& options) {
   return std::clamp(
       (depth - options.conflict_from) / (options.conflict_full - options.conflict_from), 0.0, 1.0);
+}
+
+Overlap measureOverlap(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
+                       size_t most_points, const EvidenceWeights& weights) {
+  const Overlap there = overlapOneWay(b, a, b_in_a, most_points, weights);
+  const Overlap back = overlapOneWay(a, b, b_in_a.inverse(), most_points, weights);
+  return {there + back, 0.5 * (there.free_free + back.free_free)};
 }
 
 Evidence gatherEvidence(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,

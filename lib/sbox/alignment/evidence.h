@@ -28,13 +28,17 @@ struct EvidenceOptions {
 };
 
 /// Sums over both maps, each map's walls counted once.
-struct Evidence : WallSums {
+struct Overlap : WallSums {
+  double free_free = 0;  ///< Area free in both, square metres (mean of both counts).
+};
+
+/// All that is counted.
+struct Evidence : Overlap {
   WallSums straight;  ///< Of the straight walls alone; the rest is clutter.
   /// Agreeing wall by the direction it faces: the sum of agree n n^T over unit normals n in map a.
   /// A small eigenvalue means that walls hardly fix the shift along its direction.
   Eigen::Matrix2d facing = Eigen::Matrix2d::Zero();
-  double free_free = 0;  ///< Area free in both, square metres (mean of both counts).
-  RoomCounts rooms;      ///< Counted only once the drift is taken out.
+  RoomCounts rooms;  ///< Counted only once the drift is taken out.
 };
 
 /// Weight of a wall this deep (metres) in free space as a conflict, from 0 to 1.
@@ -46,13 +50,18 @@ struct EvidenceWeights {
   /// The weights of the options.
   EvidenceWeights(const EvidenceOptions& options = {});  // NOLINT: options serve where weights do.
 
-  std::array<float, 256> agree{};     ///< Of a wall this far off, see EvidenceOptions::kernel.
-  std::array<float, 256> conflict{};  ///< See conflictWeight().
-  double straight_from = 0;           ///< See EvidenceOptions::straight_from.
+  std::array<double, 256> agree{};     ///< Of a wall this far off, see EvidenceOptions::kernel.
+  std::array<double, 256> conflict{};  ///< See conflictWeight().
+  double straight_from = 0;            ///< See EvidenceOptions::straight_from.
 };
 
 /// As `most_points`: asks all of them.
 constexpr size_t kAllPoints = std::numeric_limits<size_t>::max();
+
+/// What gatherEvidence() finds in common, for less time: for many hypotheses.
+[[nodiscard]] Overlap measureOverlap(const MapFeatures& a, const MapFeatures& b,
+                                     const RigidTransform& b_in_a, size_t most_points = kAllPoints,
+                                     const EvidenceWeights& weights = {});
 
 /// Asks the first `most_points` wall points (and as many free points) of each map; sums are scaled
 /// up to all of them.

@@ -6,7 +6,7 @@
 
 namespace sbox {
 
-double plausibility(const Evidence& e) {
+double plausibility(const Overlap& e) {
   if (e.known < 4) {
     return kImplausible;
   }

@@ -12,7 +12,7 @@ namespace sbox {
 
 /// Log of the odds, up to a constant of the pair, that the transform is right. Its weights are
 /// those of a conditional logit model fitted to map pairs with known truth.
-[[nodiscard]] double plausibility(const Evidence& evidence);
+[[nodiscard]] double plausibility(const Overlap& overlap);
 
 /// What plausibility() gives where the maps do not meet.
 constexpr double kImplausible = -1000;

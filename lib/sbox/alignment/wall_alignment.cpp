@@ -40,20 +40,18 @@ Normals gatherNormals(const MapFeatures& a, const MapFeatures& b, const RigidTra
   const size_t count_b = std::min(options.most_points, b.wall_points.size());
   const double length_b = b.wallLengthPerPoint(count_b) / 2;
   forEachNearest(
-      a.fields, count_b, [&](size_t i) { return to_a(b.wall_points[i].position); },
+      a.fields, a.wall_points, count_b, [&](size_t i) { return to_a(b.wall_points[i].position); },
       [&](size_t i) { return static_cast<ByteAngle>(b.wall_directions[i] + byte_turn); },
-      [&](size_t, const Eigen::Vector2d& p, size_t nearest) {
-        const WallPoint& target = a.wall_points[nearest];
+      [&](size_t, const Eigen::Vector2d& p, const WallPoint& target) {
         normals.add(target.position - p, target.normal, p - pivot, options.kernel, length_b);
       });
   const size_t count_a = std::min(options.most_points, a.wall_points.size());
   const double length_a = a.wallLengthPerPoint(count_a) / 2;
   forEachNearest(
-      b.fields, count_a, [&](size_t i) { return to_b(a.wall_points[i].position); },
+      b.fields, b.wall_points, count_a, [&](size_t i) { return to_b(a.wall_points[i].position); },
       [&](size_t i) { return static_cast<ByteAngle>(a.wall_directions[i] - byte_turn); },
-      [&](size_t i, const Eigen::Vector2d&, size_t nearest) {
+      [&](size_t i, const Eigen::Vector2d&, const WallPoint& source) {
         // The wall of b is what moves.
-        const WallPoint& source = b.wall_points[nearest];
         const Eigen::Vector2d moved = to_a(source.position);
         normals.add(a.wall_points[i].position - moved, to_a.turn(source.normal), moved - pivot,
                     options.kernel, length_a);

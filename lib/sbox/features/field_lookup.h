@@ -3,7 +3,7 @@
 //
 // Looks many points of one map up in the fields of another. Fields are larger than the caches next
 // to a core, and where each point falls is hard to foresee: batch by batch all places are worked
-// out before the first cell is read, so that memory serves them side by side.
+// out, and their memory asked for, before the first cell is read.
 #pragma once
 
 #include <algorithm>
@@ -14,10 +14,11 @@
 namespace sbox {
 
 /// Calls take(i, place, cell) for each i below `count` whose place place_of(i), in the fields' grid
-/// frame, lies on the fields, as WallFields::cellAt() tells; in order.
-template <typename PlaceOf, typename Take>
+/// frame, lies on the fields, as WallFields::cellAt() tells; in order. What take() will read of the
+/// fields is at the addresses addresses_of(i, cell).
+template <typename PlaceOf, typename AddressesOf, typename Take>
 void forEachCell(const WallFields& fields, size_t count, const PlaceOf& place_of,
-                 const Take& take) {
+                 const AddressesOf& addresses_of, const Take& take) {
   struct Found {
     Eigen::Vector2d place;
     size_t point, cell;
@@ -34,8 +35,12 @@ void forEachCell(const WallFields& fields, size_t count, const PlaceOf& place_of
       const Eigen::Array2d at = ((place - fields.origin) / fields.resolution).array();
       // No branches: which points lie outside cannot be foreseen either.
       const Eigen::Array2d within = at.max(0.0).min(last_cell);
-      batch[found] = {place, i,
-                      static_cast<size_t>(within.y()) * stride + static_cast<size_t>(within.x())};
+      const size_t cell =
+          static_cast<size_t>(within.y()) * stride + static_cast<size_t>(within.x());
+      for (const void* address : addresses_of(i, cell)) {
+        __builtin_prefetch(address);
+      }
+      batch[found] = {place, i, cell};
       found += static_cast<size_t>(static_cast<int>(at.x() >= 0) & static_cast<int>(at.y() >= 0) &
                                    static_cast<int>(at.x() < size.x()) &
                                    static_cast<int>(at.y() < size.y()));
@@ -52,55 +57,64 @@ void forEachCell(const WallFields& fields, size_t count, const PlaceOf& place_of
 template <typename PlaceOf, typename DirectionOf, typename Take>
 void forEachField(const WallFields& fields, size_t count, const PlaceOf& place_of,
                   const DirectionOf& direction_of, const Take& take) {
-  struct Found {
-    size_t point;
-    std::uint8_t distance, depth;
+  const auto addressesOf = [&](size_t i, size_t cell) {
+    return std::array<const std::uint8_t*, 2>{
+        fields.distances[sectorOf(direction_of(i))].data() + cell, fields.free_depth.data() + cell};
   };
-  std::array<Found, 128> batch;
-  size_t found = 0;
-  const auto takeAll = [&] {
-    for (size_t k = 0; k < found; ++k) {
-      take(batch[k].point, batch[k].distance, batch[k].depth);
-    }
-    found = 0;
-  };
-  forEachCell(fields, count, place_of, [&](size_t i, const Eigen::Vector2d&, size_t cell) {
-    batch[found++] = {i, fields.distances[sectorOf(direction_of(i))][cell],
-                      fields.free_depth[cell]};
-    if (found == batch.size()) {
-      takeAll();
-    }
-  });
-  takeAll();
+  forEachCell(fields, count, place_of, addressesOf,
+              [&](size_t i, const Eigen::Vector2d&, size_t cell) {
+                const auto [distance, depth] = addressesOf(i, cell);
+                take(i, *distance, *depth);
+              });
 }
 
-/// Calls take(i, place, nearest) for each i below `count` that has a wall point within reach of its
-/// place place_of(i), in the fields' grid frame, which faces the sector of direction_of(i);
-/// `nearest` is the index of that wall point. In order.
+/// Calls take(i, depth) with what `free_depth` holds at the place place_of(i) of each i below
+/// `count`; those beside the fields are left out. In order.
+template <typename PlaceOf, typename Take>
+void forEachDepth(const WallFields& fields, size_t count, const PlaceOf& place_of,
+                  const Take& take) {
+  const auto addressesOf = [&](size_t, size_t cell) {
+    return std::array<const std::uint8_t*, 1>{fields.free_depth.data() + cell};
+  };
+  forEachCell(
+      fields, count, place_of, addressesOf,
+      [&](size_t i, const Eigen::Vector2d&, size_t cell) { take(i, fields.free_depth[cell]); });
+}
+
+/// Calls take(i, place, nearest) for each i below `count` that has one of the fields' wall points
+/// `points` within reach of its place place_of(i), in the fields' grid frame, which faces the
+/// sector of direction_of(i); `nearest` is that wall point. In order.
 template <typename PlaceOf, typename DirectionOf, typename Take>
-void forEachNearest(const WallFields& fields, size_t count, const PlaceOf& place_of,
-                    const DirectionOf& direction_of, const Take& take) {
+void forEachNearest(const WallFields& fields, const std::vector<WallPoint>& points, size_t count,
+                    const PlaceOf& place_of, const DirectionOf& direction_of, const Take& take) {
   struct Found {
     Eigen::Vector2d place;
     size_t point;
-    std::int32_t nearest;
+    const WallPoint* nearest;
   };
   std::array<Found, 128> batch;
   size_t found = 0;
   const auto takeAll = [&] {
     for (size_t k = 0; k < found; ++k) {
-      take(batch[k].point, batch[k].place, static_cast<size_t>(batch[k].nearest));
+      take(batch[k].point, batch[k].place, *batch[k].nearest);
     }
     found = 0;
   };
-  forEachCell(fields, count, place_of, [&](size_t i, const Eigen::Vector2d& place, size_t cell) {
-    const std::int32_t nearest = fields.nearest[sectorOf(direction_of(i))][cell];
-    batch[found] = {place, i, nearest};
-    found += nearest >= 0 ? 1 : 0;
-    if (found == batch.size()) {
-      takeAll();
-    }
-  });
+  const auto addressesOf = [&](size_t i, size_t cell) {
+    return std::array<const std::int32_t*, 1>{fields.nearest[sectorOf(direction_of(i))].data() +
+                                              cell};
+  };
+  forEachCell(fields, count, place_of, addressesOf,
+              [&](size_t i, const Eigen::Vector2d& place, size_t cell) {
+                const std::int32_t index = *addressesOf(i, cell)[0];
+                const WallPoint* nearest = points.data() + std::max(index, 0);
+                __builtin_prefetch(nearest);
+                batch[found] = {place, i, nearest};
+                found += index >= 0 ? 1 : 0;
+                if (found == batch.size()) {
+                  takeAll();
+                }
+              });
   takeAll();
 }
 

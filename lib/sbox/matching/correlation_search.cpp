@@ -124,7 +124,7 @@ cv::Mat scoreShifts(const Spectra& a, const Spectra& b, double resolution, doubl
   const cv::Mat conflict = correlate(a.conflict, b.wall, a.wall, b.conflict);
   const cv::Mat free_free = correlate(a.free, b.free);
   cv::Mat scores(agree.size(), CV_32F);
-  Evidence found;
+  Overlap found;
   for (int y = 0; y < scores.rows; ++y) {
     const auto* agree_row = agree.ptr<float>(y);
     const auto* known_row = known.ptr<float>(y);

@@ -23,7 +23,7 @@ double likenessInOrder(const MapFeatures& a, const MapFeatures& b, const Likenes
   votes.max_hypotheses = options.max_hypotheses;
   votes.min_per_heading = options.min_per_heading;
   const auto scored = [&](const RigidTransform& b_in_a, int points) {
-    return plausibility(gatherEvidence(a, b, b_in_a, static_cast<size_t>(points), weights));
+    return plausibility(measureOverlap(a, b, b_in_a, static_cast<size_t>(points), weights));
   };
   std::vector<std::pair<double, RigidTransform>> ranked;
   for (const Hypothesis& hypothesis : voteForTransforms(a, b, votes)) {

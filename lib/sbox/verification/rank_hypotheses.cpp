@@ -28,7 +28,7 @@ void keepBest(std::vector<Ranked>& ranked, int count) {
 
 double scoreOf(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a, int points,
                const EvidenceWeights& weights) {
-  return plausibility(gatherEvidence(a, b, b_in_a, static_cast<size_t>(points), weights));
+  return plausibility(measureOverlap(a, b, b_in_a, static_cast<size_t>(points), weights));
 }
 
 void score(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked>& ranked, int points,
