@@ -66,14 +66,13 @@ PairResult matchInOrder(const MapFeatures& a, const MapFeatures& b, const PairOp
   // Section 3.3: refinement.
   const Stopwatch stopwatch;
   const RefinedPose refined = refinePose(a, b, best.b_in_a, best.drift, boxes, options.refine);
-  const bool is_doubtful = refined.disagreement() > options.refine.large_difference;
-  if (is_doubtful) {
+  if (refined.is_doubtful) {
     multiplyOddsOfFirst(fits, options.refine.difference_odds);
   }
   const Verdicted verdicted = decide(fits, options.verdict);
   result.verdict = verdicted.verdict;
   result.reason = verdicted.reason;
-  if (is_doubtful) {
+  if (refined.is_doubtful) {
     result.reason += describeDifference(refined.disagreement());
   }
   result.has_pose = true;

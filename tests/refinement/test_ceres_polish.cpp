@@ -31,6 +31,12 @@ class Numbers {
     const double facing = any(M_PI);
     return {point(), {std::cos(facing), std::sin(facing)}};
   }
+  CornerPair corner() {
+    Matrix2d root;
+    root << any(1), any(1), any(1), any(1);
+    return {point(), point(), root * root.transpose() + 0.05 * Matrix2d::Identity()};
+  }
+  Pose pose() { return {any(10), any(10), any(3)}; }
 
  private:
   std::mt19937 random_;
@@ -65,6 +71,17 @@ void checkDerivatives(const Cost& cost, const Pose& pose) {
   }
 }
 
+double sumOfSquares(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) {
+    sum += value * value;
+  }
+  return sum;
+}
+
+/// A scale at which Geman and McClure's loss is the square.
+constexpr double kNoLoss = 1e8;
+
 /// The transform that a pose of the pivot stands for.
 RigidTransform transformOf(const Pose& pose, const Vector2d& pivot_b) {
   return {pose[2], Vector2d(pose[0], pose[1]) - Eigen::Rotation2Dd(pose[2]) * pivot_b};
@@ -75,49 +92,66 @@ RigidTransform transformOf(const Pose& pose, const Vector2d& pivot_b) {
 TEST_CASE("a corner's cost is the offset weighed by its covariance", "[refinement]") {
   Numbers numbers(1);
   for (int i = 0; i < 20; ++i) {
-    Matrix2d root;
-    root << numbers.any(1), numbers.any(1), numbers.any(1), numbers.any(1);
-    const Matrix2d covariance = root * root.transpose() + 0.05 * Matrix2d::Identity();
-    const CornerPair corner{numbers.point(), numbers.point(), covariance};
     const Vector2d pivot_b = numbers.point();
-    const Cost cost(createCornerCost(corner, pivot_b, 0.3));
-    const Pose pose{numbers.any(10), numbers.any(10), numbers.any(3)};
-    const auto residuals = residualsAt(cost, pose);
+    PolishPairs pairs;
+    pairs.corners = {numbers.corner()};
+    pairs.corner_noise = 0.3;
+    pairs.corner_weight = 2;
+    const Pose pose = numbers.pose();
+    const auto residuals = residualsAt(Cost(createPolishCost(pairs, pivot_b, kNoLoss)), pose);
     REQUIRE(residuals.size() == 2);
+    const CornerPair& corner = pairs.corners[0];
     const Vector2d offset = transformOf(pose, pivot_b) * corner.in_b - corner.in_a;
-    CHECK(residuals[0] * residuals[0] + residuals[1] * residuals[1] ==
-          Approx(0.09 * offset.dot(covariance.inverse() * offset)));
-    checkDerivatives(cost, pose);
+    CHECK(sumOfSquares(residuals) ==
+          Approx(2 * 0.09 * offset.dot(corner.covariance.inverse() * offset)));
   }
 }
 
 TEST_CASE("a wall's cost is its distance from the line it is laid on", "[refinement]") {
   Numbers numbers(2);
   for (int i = 0; i < 20; ++i) {
-    const WallPoint point_b = numbers.wall(), line_a = numbers.wall();
     const Vector2d pivot_b = numbers.point();
-    const Pose pose{numbers.any(10), numbers.any(10), numbers.any(3)};
+    PolishPairs pairs;
+    const WallPair of_a = {numbers.wall(), numbers.wall()}, of_b = {numbers.wall(), numbers.wall()};
+    pairs.on_lines_of_a = {of_a};
+    pairs.on_lines_of_b = {of_b};
+    const Pose pose = numbers.pose();
     const RigidTransform b_in_a = transformOf(pose, pivot_b);
-    const Cost cost(createWallCost(point_b, line_a, pivot_b));
-    CHECK(residualsAt(cost, pose)[0] ==
-          Approx(line_a.normal.dot(b_in_a * point_b.position - line_a.position)));
-    checkDerivatives(cost, pose);
+    const auto residuals = residualsAt(Cost(createPolishCost(pairs, pivot_b, kNoLoss)), pose);
+    REQUIRE(residuals.size() == 2);
+    CHECK(residuals[0] == Approx(of_a.a.normal.dot(b_in_a * of_a.b.position - of_a.a.position)));
+    // In b's own frame, where the line stands still.
+    CHECK(std::abs(residuals[1]) == Approx(std::abs(of_b.b.normal.dot(
+                                        b_in_a.inverse() * of_b.a.position - of_b.b.position))));
   }
 }
 
-TEST_CASE("a line's cost is how far a wall of the other map is from it", "[refinement]") {
+TEST_CASE("costs are Geman and McClure's, and know their derivatives", "[refinement]") {
   Numbers numbers(3);
   for (int i = 0; i < 20; ++i) {
-    const WallPoint line_b = numbers.wall(), point_a = numbers.wall();
     const Vector2d pivot_b = numbers.point();
-    const Pose pose{numbers.any(10), numbers.any(10), numbers.any(3)};
-    const RigidTransform b_in_a = transformOf(pose, pivot_b);
-    const Cost cost(createLineCost(line_b, point_a, pivot_b));
-    // In b's own frame, where the line stands still.
-    CHECK(
-        std::abs(residualsAt(cost, pose)[0]) ==
-        Approx(std::abs(line_b.normal.dot(b_in_a.inverse() * point_a.position - line_b.position))));
-    checkDerivatives(cost, pose);
+    PolishPairs walls;
+    walls.on_lines_of_a = {{numbers.wall(), numbers.wall()}, {numbers.wall(), numbers.wall()}};
+    walls.on_lines_of_b = {{numbers.wall(), numbers.wall()}};
+    PolishPairs corner;
+    corner.corners = {numbers.corner()};
+    corner.corner_weight = 1;
+    const Pose pose = numbers.pose();
+    constexpr double scale = 5;
+    const auto lossOf = [](double squared) { return squared * 25 / (25 + squared); };
+
+    const Cost walls_cost(createPolishCost(walls, pivot_b, scale));
+    checkDerivatives(walls_cost, pose);
+    const auto plain = residualsAt(Cost(createPolishCost(walls, pivot_b, kNoLoss)), pose);
+    const auto robust = residualsAt(walls_cost, pose);
+    REQUIRE(robust.size() == 3);
+    for (size_t k = 0; k < 3; ++k) {
+      CHECK(robust[k] * robust[k] == Approx(lossOf(plain[k] * plain[k])));
+    }
+    const Cost corner_cost(createPolishCost(corner, pivot_b, scale));
+    checkDerivatives(corner_cost, pose);
+    const auto offset = residualsAt(Cost(createPolishCost(corner, pivot_b, kNoLoss)), pose);
+    CHECK(sumOfSquares(residualsAt(corner_cost, pose)) == Approx(lossOf(sumOfSquares(offset))));
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <vector>
 
 #include "catch.h"
 #include "sbox/refinement/refine_pose.h"
@@ -68,4 +69,27 @@ TEST_CASE("the covariance is positive, and large along a slide that nothing fixe
   }
   CHECK(slide.covariance(0, 0) > 10 * slide.covariance(1, 1));
   CHECK(slide.covariance(0, 0) > 10 * fixed.covariance(0, 0));
+}
+
+TEST_CASE("Kalman and Ceres may differ by so much, and by more in bent maps", "[refinement]") {
+  const MapFeatures map = extractFeatures(room(80, 60, true));
+  const RigidTransform start = {0.01, {0.12, -0.08}};
+  const DriftField drift = estimateDrift(map, map, start);
+  const std::vector<BoxMatch> boxes = matchBoxes(map, map, start, drift);
+  RefineOptions options;
+  const auto isDoubtful = [&] {
+    return refinePose(map, map, start, drift, boxes, options).is_doubtful;
+  };
+  const double difference = refinePose(map, map, start, drift, boxes, options).disagreement();
+  REQUIRE(difference > 1e-4);
+  REQUIRE(drift.roughness() > 1e-4);
+  CHECK_FALSE(isDoubtful());
+  options.large_difference = 1.1 * difference;
+  CHECK_FALSE(isDoubtful());
+  options.large_difference = 0.9 * difference;
+  CHECK(isDoubtful());
+  options.drift_free = 0.95 * drift.roughness();
+  CHECK(isDoubtful());
+  options.drift_free = 0.5 * drift.roughness();
+  CHECK_FALSE(isDoubtful());
 }

@@ -2,233 +2,182 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/refinement/ceres_polish.h"
 
-#include <ceres/loss_function.h>
+#include <ceres/cost_function.h>
 #include <ceres/problem.h>
-#include <ceres/sized_cost_function.h>
 #include <ceres/solver.h>
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
-#include <utility>
 
 #include "sbox/alignment/robust_kernel.h"
 #include "sbox/core/cholesky.h"
+#include "sbox/features/field_lookup.h"
 
 namespace sbox {
 namespace {
 
 using Vector = Eigen::Vector2d;
 
-/// By a parameter block (x, y, heading), the pose of the pivot of b in map a: moves what is given
-/// from the pivot.
-PointMover moverOf(const double* pose) { return PointMover({pose[2], Vector(pose[0], pose[1])}); }
-
 /// Derivative of the turned arm by the heading.
 Vector turnedAcross(const PointMover& pose, const Vector& arm) {
   return pose.turn(Vector(-arm.y(), arm.x()));
 }
 
-/// W (R arm + t - in_a), where R and t are of the pose and W is `weight`.
-class CornerCost final : public ceres::SizedCostFunction<2, 3> {
+/// Takes residuals and their derivatives one after the other, and makes Geman and McClure's loss
+/// rho of them, of which Ceres is to see the half: it squares and halves what it is given, so it is
+/// given r sqrt(rho) / |r|. One cost function for all, as Ceres's own losses take one for each.
+class RobustRows {
  public:
-  CornerCost(Vector arm, Vector in_a, Eigen::Matrix2d weight)
-      : arm_(std::move(arm)), in_a_(std::move(in_a)), weight_(std::move(weight)) {}
-  bool Evaluate(const double* const* parameters, double* residuals,
-                double** jacobians) const override {
-    const PointMover pose = moverOf(parameters[0]);
-    const Vector offset = weight_ * (pose(arm_) - in_a_);
-    residuals[0] = offset.x();
-    residuals[1] = offset.y();
-    if (jacobians != nullptr && jacobians[0] != nullptr) {
-      const Vector by_heading = weight_ * turnedAcross(pose, arm_);
-      for (int row = 0; row < 2; ++row) {
-        double* derivatives = jacobians[0] + 3 * row;
-        derivatives[0] = weight_(row, 0);
-        derivatives[1] = weight_(row, 1);
-        derivatives[2] = by_heading[row];
-      }
+  /// `jacobian` may be null: none is asked for then.
+  RobustRows(double scale, double* residuals, double* jacobian)
+      : scale_(scale), residuals_(residuals), jacobian_(jacobian) {}
+
+  void add(double residual, const Eigen::RowVector3d& jacobian) {
+    const double share = gemanMcClureShare(residual * residual, scale_);
+    put(std::sqrt(share) * residual, std::sqrt(share) * share * jacobian);
+  }
+
+  /// Both of one loss, which counts so many times.
+  void add(const Vector& residuals, const Eigen::Matrix<double, 2, 3>& jacobian, double weight) {
+    const double share = gemanMcClureShare(residuals.squaredNorm(), scale_);
+    const double root = std::sqrt(share * weight);
+    const Eigen::Matrix<double, 2, 3> robust =
+        root *
+        (jacobian - share / (scale_ * scale_) * residuals * (residuals.transpose() * jacobian));
+    for (int row = 0; row < 2; ++row) {
+      put(root * residuals[row], robust.row(row));
     }
-    return true;
   }
 
  private:
-  Vector arm_, in_a_;
-  Eigen::Matrix2d weight_;  ///< Square root of the relative information.
-};
-
-/// n . (R arm + t - p), where n is the normal of a line of a through p.
-class WallCost final : public ceres::SizedCostFunction<1, 3> {
- public:
-  WallCost(Vector arm, Vector on_line, Vector normal)
-      : arm_(std::move(arm)), on_line_(std::move(on_line)), normal_(std::move(normal)) {}
-  bool Evaluate(const double* const* parameters, double* residuals,
-                double** jacobians) const override {
-    const PointMover pose = moverOf(parameters[0]);
-    residuals[0] = normal_.dot(pose(arm_) - on_line_);
-    if (jacobians != nullptr && jacobians[0] != nullptr) {
-      jacobians[0][0] = normal_.x();
-      jacobians[0][1] = normal_.y();
-      jacobians[0][2] = normal_.dot(turnedAcross(pose, arm_));
+  void put(double residual, const Eigen::RowVector3d& jacobian) {
+    *residuals_++ = residual;
+    if (jacobian_ != nullptr) {
+      std::copy(jacobian.data(), jacobian.data() + 3, jacobian_);
+      jacobian_ += 3;
     }
-    return true;
   }
 
- private:
-  Vector arm_, on_line_, normal_;
-};
-
-/// R n . (R arm + t - p), where n is the normal of a line of b at `arm` from the pivot.
-class LineCost final : public ceres::SizedCostFunction<1, 3> {
- public:
-  LineCost(Vector arm, Vector normal, Vector point)
-      : arm_(std::move(arm)), normal_(std::move(normal)), point_(std::move(point)) {}
-  bool Evaluate(const double* const* parameters, double* residuals,
-                double** jacobians) const override {
-    const PointMover pose = moverOf(parameters[0]);
-    const Vector normal = pose.turn(normal_), from_point = Vector(pose.x, pose.y) - point_;
-    residuals[0] = normal.dot(pose.turn(arm_) + from_point);
-    if (jacobians != nullptr && jacobians[0] != nullptr) {
-      jacobians[0][0] = normal.x();
-      jacobians[0][1] = normal.y();
-      // The arm turns with the normal, so their product stays.
-      jacobians[0][2] = turnedAcross(pose, normal_).dot(from_point);
-    }
-    return true;
-  }
-
- private:
-  Vector arm_, normal_, point_;
-};
-
-/// Geman and McClure's loss: r^2 for small residuals, never more than scale^2.
-class GemanMcClure final : public ceres::LossFunction {
- public:
-  explicit GemanMcClure(double scale) : scale_(scale) {}
-  void Evaluate(double squared, double out[3]) const override {
-    const double share = gemanMcClureShare(squared, scale_);
-    out[0] = squared * share;
-    out[1] = share * share;
-    out[2] = -2 * share * share * share / (scale_ * scale_);
-  }
-
- private:
   double scale_;
+  double* residuals_;
+  double* jacobian_;
 };
 
-/// One round: its residuals, and the pose in Ceres's hands.
-class Round {
+/// Over one parameter block (x, y, heading): the pose of the pivot of b in map a.
+class PolishCost final : public ceres::CostFunction {
  public:
-  Round(const RigidTransform& b_in_a, const Eigen::Vector2d& pivot_b, double scale)
-      : pivot_b_(pivot_b), kernel_(scale), problem_(ownKernel()) {
-    const Eigen::Vector2d place = b_in_a * pivot_b;
-    pose_ = {place.x(), place.y(), b_in_a.heading};
+  PolishCost(const PolishPairs& pairs, const Vector& pivot_b, double scale) : scale_(scale) {
+    const double noise = pairs.corner_noise;
+    for (const WallPair& pair : pairs.on_lines_of_a) {
+      on_lines_of_a_.push_back({pair.b.position - pivot_b, pair.a.normal, pair.a.position});
+    }
+    for (const WallPair& pair : pairs.on_lines_of_b) {
+      on_lines_of_b_.push_back({pair.b.position - pivot_b, pair.b.normal, pair.a.position});
+    }
+    for (const CornerPair& corner : pairs.corners) {
+      // R = L L^T, so that |L^-1 e|^2 = e^T R^-1 e.
+      const Eigen::Matrix2d root = choleskyFactor(corner.covariance);
+      corners_.push_back({corner.in_b - pivot_b, corner.in_a, noise * root.inverse()});
+    }
+    corner_weight_ = pairs.corner_weight;
+    mutable_parameter_block_sizes()->push_back(3);
+    set_num_residuals(
+        static_cast<int>(on_lines_of_a_.size() + on_lines_of_b_.size() + 2 * corners_.size()));
   }
 
-  /// Pairs the walls of both maps under `b_in_a`; returns how many pairs there are.
-  size_t addWalls(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
-                  double reach, size_t most_points) {
-    const PointMover to_a(b_in_a), to_b(b_in_a.inverse());
-    const ByteAngle byte_turn = toByteAngle(b_in_a.heading);
-    const auto near = [&](const MapFeatures& map, const Eigen::Vector2d& p,
-                          ByteAngle direction) -> const WallPoint* {
-      const std::ptrdiff_t cell = map.fields.cellAt(p.x(), p.y());
-      if (cell < 0) {
-        return nullptr;
-      }
-      const std::int32_t nearest =
-          map.fields.nearest[sectorOf(direction)][static_cast<size_t>(cell)];
-      if (nearest < 0) {
-        return nullptr;
-      }
-      const WallPoint& point = map.wall_points[static_cast<size_t>(nearest)];
-      return (point.position - p).norm() <= reach ? &point : nullptr;
-    };
-    size_t pairs = 0;
-    for (size_t i = 0; i < std::min(most_points, b.wall_points.size()); ++i) {
-      const WallPoint& point = b.wall_points[i];
-      const auto direction = static_cast<ByteAngle>(b.wall_directions[i] + byte_turn);
-      if (const WallPoint* line = near(a, to_a(point.position), direction)) {
-        add(createWallCost(point, *line, pivot_b_), &kernel_);
-        ++pairs;
-      }
+  bool Evaluate(const double* const* parameters, double* residuals,
+                double** jacobians) const override {
+    const double* block = parameters[0];
+    const PointMover pose({block[2], Vector(block[0], block[1])});
+    RobustRows rows(scale_, residuals, jacobians != nullptr ? jacobians[0] : nullptr);
+    for (const auto& [arm, normal, on_line] : on_lines_of_a_) {
+      rows.add(normal.dot(pose(arm) - on_line),
+               {normal.x(), normal.y(), normal.dot(turnedAcross(pose, arm))});
     }
-    for (size_t i = 0; i < std::min(most_points, a.wall_points.size()); ++i) {
-      const WallPoint& point = a.wall_points[i];
-      const auto direction = static_cast<ByteAngle>(a.wall_directions[i] - byte_turn);
-      if (const WallPoint* line = near(b, to_b(point.position), direction)) {
-        add(createLineCost(*line, point, pivot_b_), &kernel_);
-        ++pairs;
-      }
+    for (const auto& [arm, normal_b, point] : on_lines_of_b_) {
+      const Vector normal = pose.turn(normal_b), from_point = Vector(pose.x, pose.y) - point;
+      // The arm turns with the normal, so their product stays.
+      rows.add(normal.dot(pose.turn(arm) + from_point),
+               {normal.x(), normal.y(), turnedAcross(pose, normal_b).dot(from_point)});
     }
-    return pairs;
-  }
-
-  /// `share`: the weight of each corner over that of a pair of walls.
-  void addCorners(const std::vector<CornerPair>& corners, size_t count, double share,
-                  double corner_noise) {
-    corner_kernel_ =
-        std::make_unique<ceres::ScaledLoss>(&kernel_, share, ceres::DO_NOT_TAKE_OWNERSHIP);
-    for (size_t i = 0; i < count; ++i) {
-      // Evenly over the list, which goes from box to box.
-      const CornerPair& corner = corners[i * corners.size() / count];
-      add(createCornerCost(corner, pivot_b_, corner_noise), corner_kernel_.get());
+    for (const auto& [arm, in_a, weight] : corners_) {
+      Eigen::Matrix<double, 2, 3> jacobian;
+      jacobian << weight, weight * turnedAcross(pose, arm);
+      rows.add(weight * (pose(arm) - in_a), jacobian, corner_weight_);
     }
-  }
-
-  [[nodiscard]] RigidTransform solve(int iterations) {
-    ceres::Solver::Options options;
-    options.linear_solver_type = ceres::DENSE_QR;
-    options.max_num_iterations = iterations;
-    options.num_threads = 1;
-    options.logging_type = ceres::SILENT;
-    options.function_tolerance = 1e-6;
-    ceres::Solver::Summary summary;
-    ceres::Solve(options, &problem_, &summary);
-    RigidTransform b_in_a;
-    b_in_a.heading = pose_[2];
-    b_in_a.translation =
-        Eigen::Vector2d(pose_[0], pose_[1]) - Eigen::Rotation2Dd(pose_[2]) * pivot_b_;
-    return b_in_a;
+    return true;
   }
 
  private:
-  static ceres::Problem::Options ownKernel() {
-    ceres::Problem::Options options;
-    options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-    return options;
-  }
-  void add(ceres::CostFunction* cost, ceres::LossFunction* loss) {
-    problem_.AddResidualBlock(cost, loss, pose_.data());
-  }
+  struct OnLine {
+    Vector arm;     ///< From the pivot to what lies in b.
+    Vector normal;  ///< Of the line, in the frame of its own map.
+    Vector in_a;
+  };
+  struct Corner {
+    Vector arm, in_a;
+    Eigen::Matrix2d weight;  ///< Square root of the relative information.
+  };
 
-  Eigen::Vector2d pivot_b_;
-  std::array<double, 3> pose_{};
-  GemanMcClure kernel_;
-  std::unique_ptr<ceres::ScaledLoss> corner_kernel_;
-  ceres::Problem problem_;
+  double scale_;
+  std::vector<OnLine> on_lines_of_a_, on_lines_of_b_;
+  std::vector<Corner> corners_;
+  double corner_weight_ = 0;
 };
+
+/// Wall points of either map that lie near a wall of the other under `b_in_a`, with this.
+PolishPairs pairWalls(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
+                      double reach, size_t most_points) {
+  const PointMover to_a(b_in_a), to_b(b_in_a.inverse());
+  const ByteAngle turn = toByteAngle(b_in_a.heading);
+  PolishPairs pairs;
+  forEachNearest(
+      a.fields, a.wall_points, std::min(most_points, b.wall_points.size()),
+      [&](size_t i) { return to_a(b.wall_points[i].position); },
+      [&](size_t i) { return static_cast<ByteAngle>(b.wall_directions[i] + turn); },
+      [&](size_t i, const Vector& place, const WallPoint& line) {
+        if ((line.position - place).norm() <= reach) {
+          pairs.on_lines_of_a.push_back({line, b.wall_points[i]});
+        }
+      });
+  forEachNearest(
+      b.fields, b.wall_points, std::min(most_points, a.wall_points.size()),
+      [&](size_t i) { return to_b(a.wall_points[i].position); },
+      [&](size_t i) { return static_cast<ByteAngle>(a.wall_directions[i] - turn); },
+      [&](size_t i, const Vector& place, const WallPoint& line) {
+        if ((line.position - place).norm() <= reach) {
+          pairs.on_lines_of_b.push_back({a.wall_points[i], line});
+        }
+      });
+  return pairs;
+}
+
+/// The transform nearest to `start` at which the cost is least.
+RigidTransform leastCost(const PolishPairs& pairs, const RigidTransform& start,
+                         const Vector& pivot_b, double scale, int iterations) {
+  const Vector place = start * pivot_b;
+  std::array<double, 3> pose = {place.x(), place.y(), start.heading};
+  ceres::Problem problem;
+  problem.AddResidualBlock(createPolishCost(pairs, pivot_b, scale), nullptr, pose.data());
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
+  options.max_num_iterations = iterations;
+  options.num_threads = 1;
+  options.logging_type = ceres::SILENT;
+  options.function_tolerance = 1e-6;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  const auto [x, y, heading] = pose;
+  return {heading, Vector(x, y) - Eigen::Rotation2Dd(heading) * pivot_b};
+}
 
 }  // namespace
 
-ceres::CostFunction* createCornerCost(const CornerPair& corner, const Eigen::Vector2d& pivot_b,
-                                      double corner_noise) {
-  // R = L L^T, so that |L^-1 e|^2 = e^T R^-1 e.
-  const Eigen::Matrix2d root = choleskyFactor(corner.covariance);
-  const Eigen::Matrix2d weight = corner_noise * root.inverse();
-  return new CornerCost(corner.in_b - pivot_b, corner.in_a, weight);
-}
-
-ceres::CostFunction* createWallCost(const WallPoint& point_b, const WallPoint& line_a,
-                                    const Eigen::Vector2d& pivot_b) {
-  return new WallCost(point_b.position - pivot_b, line_a.position, line_a.normal);
-}
-
-ceres::CostFunction* createLineCost(const WallPoint& line_b, const WallPoint& point_a,
-                                    const Eigen::Vector2d& pivot_b) {
-  return new LineCost(line_b.position - pivot_b, line_b.normal, point_a.position);
+ceres::CostFunction* createPolishCost(const PolishPairs& pairs, const Eigen::Vector2d& pivot_b,
+                                      double scale) {
+  return new PolishCost(pairs, pivot_b, scale);
 }
 
 std::optional<RigidTransform> polishByCeres(const MapFeatures& a, const MapFeatures& b,
@@ -237,23 +186,26 @@ std::optional<RigidTransform> polishByCeres(const MapFeatures& a, const MapFeatu
                                             const Eigen::Vector2d& pivot_b,
                                             const PolishOptions& options) {
   RigidTransform b_in_a = start;
+  const size_t corner_count = std::min(options.most_corners, corners.size());
   for (int i = 0; i < options.rounds; ++i) {
     const double scale = scaleOfRound(i, options.rounds, options.first_scale, options.last_scale);
-    Round round(b_in_a, pivot_b, scale);
     // Beyond three scales the loss is flat; nearer than a cell of the fields nothing is told apart.
     const double reach = 3 * scale + a.fields.resolution;
-    const size_t walls = round.addWalls(a, b, b_in_a, reach, options.most_points);
+    PolishPairs pairs = pairWalls(a, b, b_in_a, reach, options.most_points);
+    const size_t walls = pairs.on_lines_of_a.size() + pairs.on_lines_of_b.size();
     if (walls == 0) {
       return std::nullopt;
     }
-    const size_t count = std::min(options.most_corners, corners.size());
-    if (count > 0 && options.corner_weight > 0) {
-      round.addCorners(
-          corners, count,
-          options.corner_weight * static_cast<double>(walls) / static_cast<double>(count),
-          options.corner_noise);
+    if (options.corner_weight > 0) {
+      for (size_t k = 0; k < corner_count; ++k) {
+        // Evenly over the list, which goes from box to box.
+        pairs.corners.push_back(corners[k * corners.size() / corner_count]);
+      }
+      pairs.corner_noise = options.corner_noise;
+      pairs.corner_weight = options.corner_weight * static_cast<double>(walls) /
+                            static_cast<double>(std::max<size_t>(corner_count, 1));
     }
-    b_in_a = round.solve(options.iterations);
+    b_in_a = leastCost(pairs, b_in_a, pivot_b, scale, options.iterations);
   }
   return b_in_a;
 }

@@ -24,7 +24,7 @@ struct PolishOptions {
   double first_scale = 0.6;    ///< Of the robust loss in the first round, metres; ...
   double last_scale = 0.15;    ///< ... it shrinks to this in the last.
   int rounds = 3;              ///< Walls are paired anew in each.
-  int iterations = 10;         ///< At most, a round.
+  int iterations = 50;         ///< At most, a round.
   size_t most_points = 400;    ///< Wall points used of each map.
   size_t most_corners = 100;   ///< Corners used.
   double corner_weight = 0.1;  ///< Of all corners together, as a share of all walls.
@@ -38,19 +38,27 @@ struct PolishOptions {
     const MapFeatures& a, const MapFeatures& b, const std::vector<CornerPair>& corners,
     const RigidTransform& start, const Eigen::Vector2d& pivot_b, const PolishOptions& options = {});
 
-/// Two residuals over the parameters (x, y, heading) of the pivot in map a: the offset between the
-/// corners of a pair, metres, weighed along its axes by 1 / standard deviation relative to
-/// `corner_noise`. Goes to a ceres::Problem, which owns it.
-[[nodiscard]] ceres::CostFunction* createCornerCost(const CornerPair& corner,
-                                                    const Eigen::Vector2d& pivot_b,
-                                                    double corner_noise);
+/// A wall point of each map; both grid frames.
+struct WallPair {
+  WallPoint a;  ///< Of map a.
+  WallPoint b;  ///< Of map b.
+};
 
-/// One residual: distance of a wall point of b from the line of a wall of a, metres.
-[[nodiscard]] ceres::CostFunction* createWallCost(const WallPoint& point_b, const WallPoint& line_a,
-                                                  const Eigen::Vector2d& pivot_b);
+/// What should lie on what.
+struct PolishPairs {
+  std::vector<WallPair> on_lines_of_a;  ///< The point of b on the line of the wall of a.
+  std::vector<WallPair> on_lines_of_b;  ///< The point of a on the line of the wall of b.
+  std::vector<CornerPair> corners;      ///< On each other.
+  double corner_noise = 0.25;  ///< Standard deviation of a corner that counts fully, metres.
+  double corner_weight = 0;    ///< Of each corner over that of a pair of walls.
+};
 
-/// The other direction: distance of a wall point of a from the line of a wall of b, metres.
-[[nodiscard]] ceres::CostFunction* createLineCost(const WallPoint& line_b, const WallPoint& point_a,
-                                                  const Eigen::Vector2d& pivot_b);
+/// Residuals over the parameters (x, y, heading) of the pivot in map a, in the order of the pairs:
+/// the distance of each wall point from its line, and two for the offset of each pair of corners,
+/// weighed along its axes by 1 / standard deviation relative to `corner_noise`; metres. Each so
+/// scaled down that half its square is half of Geman and McClure's loss of this scale (metres),
+/// which is never more than scale^2 (times the weight). Goes to a ceres::Problem, which owns it.
+[[nodiscard]] ceres::CostFunction* createPolishCost(const PolishPairs& pairs,
+                                                    const Eigen::Vector2d& pivot_b, double scale);
 
 }  // namespace sbox

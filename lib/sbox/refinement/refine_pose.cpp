@@ -46,6 +46,9 @@ RefinedPose refinePose(const MapFeatures& a, const MapFeatures& b, const RigidTr
       largestShift(a, b, refined.b_in_a, *refined.ceres) < options.most_polish) {
     refined.b_in_a = *refined.ceres;
   }
+  refined.is_doubtful =
+      refined.disagreement() >
+      options.large_difference * std::max(1.0, drift.roughness() / options.drift_free);
   refined.covariance =
       poseCovariance(wallInformation(a, b, refined.b_in_a), drift.roughness(), options.covariance);
   return refined;

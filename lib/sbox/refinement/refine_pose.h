@@ -29,8 +29,8 @@ struct RefineOptions {
   BoxKalmanOptions kalman;       ///< Of the Kalman step.
   PolishOptions polish;          ///< Of Ceres.
   CovarianceOptions covariance;  ///< Of what is reported.
-  /// Distance of Kalman and Ceres from which something is amiss, metres: most of such answers are
-  /// wrong ...
+  /// Distance of Kalman and Ceres beyond which something is amiss, metres; of bent maps, which no
+  /// one transform fits, as many times as large as they are rougher than `drift_free` ...
   double large_difference = 0.5;
   double difference_odds = 0.2;  ///< ... so the odds of being right are multiplied by this.
 };
@@ -42,6 +42,8 @@ struct RefinedPose {
   Eigen::Matrix3d covariance;  ///< Of (x, y, heading) of the pivot in map a; m^2, m rad, rad^2.
   std::optional<RigidTransform> kalman;  ///< None without agreeing corners.
   std::optional<RigidTransform> ceres;   ///< None without agreeing walls.
+  /// Whether Kalman and Ceres differ by more than the bend explains; see `large_difference`.
+  bool is_doubtful = false;
 
   /// How far apart Kalman and Ceres put the pivot, metres; 0 where one gave no answer.
   [[nodiscard]] double disagreement() const;
