@@ -246,6 +246,7 @@ std::string firstLine(const std::string& text) { return text.substr(0, text.find
 
 std::optional<Arguments> parseArguments(int argc, const char* const* argv) {
   Arguments arguments;
+  arguments.command_line.assign(argv, argv + argc);
   Texts texts;
   CLI::App app(description, "sbox-merge");
   app.footer(footer);

@@ -15,6 +15,7 @@ namespace sbox::app {
 
 /// What the user asked for.
 struct Arguments {
+  std::vector<std::string> command_line;  ///< As it was given, the name first.
   std::vector<std::string> inputs;
   std::string output = "merged.gridmap";
   std::string simplemap;             ///< Of all key frames; empty: none.

@@ -4,7 +4,6 @@
 
 #include <stdexcept>
 
-#include "sbox-merge/run_slams.h"
 #include "sbox-merge/trial_reading.h"
 #include "sbox/core/parallel.h"
 #include "sbox/core/state_grid.h"
@@ -64,7 +63,8 @@ bool isRawlog(const std::string& path) {
   return extension == ".rawlog" || extension == ".rawlog.gz";
 }
 
-Inputs loadInputs(const Arguments& arguments, const ProgressFunction& tell) {
+Inputs loadInputs(const Arguments& arguments, const RunSlams& run_slams,
+                  const ProgressFunction& tell) {
   Inputs inputs{std::vector<Map>(arguments.inputs.size()),
                 std::vector<KeyFrames>(arguments.inputs.size())};
   for (const std::string& path : arguments.inputs) {
@@ -72,7 +72,7 @@ Inputs loadInputs(const Arguments& arguments, const ProgressFunction& tell) {
       tryReading(path, [&] { static_cast<void>(loadKeyFrames(path)); });
     }
   }
-  runSlams(arguments, tell, inputs);
+  run_slams(arguments, tell, inputs);
   const auto count = static_cast<int>(arguments.inputs.size());
   StageProgress progress(tell, "maps loaded", count);
   parallelFor(count, arguments.merge.threads, [&](int i) {

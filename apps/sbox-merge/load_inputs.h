@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sbox-merge/arguments.h"
+#include "sbox-merge/command.h"
 #include "sbox/core/key_frame.h"
 #include "sbox/core/map.h"
 #include "sbox/core/progress.h"
@@ -23,6 +24,7 @@ struct Inputs {
 
 /// Reads the maps, or makes them: of a simplemap by its poses, of a robot's log by SLAM. Throws
 /// FileError if one cannot be used.
-[[nodiscard]] Inputs loadInputs(const Arguments& arguments, const ProgressFunction& tell);
+[[nodiscard]] Inputs loadInputs(const Arguments& arguments, const RunSlams& run_slams,
+                                const ProgressFunction& tell);
 
 }  // namespace sbox::app

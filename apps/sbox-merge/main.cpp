@@ -2,43 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // sbox-merge: joins the occupancy grid maps of several robots into one.
-#include <exception>
-#include <iostream>
-#include <new>
-#include <string>
+#include "sbox-merge/command.h"
+#include "sbox-merge/hand_logs_over.h"
 
-#include "sbox-merge/arguments.h"
-#include "sbox-merge/interrupt.h"
-#include "sbox-merge/run.h"
-
-namespace {
-
-constexpr int unusable_file = 1;
-constexpr int wrong_usage = 2;
-
-int fail(const std::string& reason, int exit_code) {
-  // Some libraries say more than one line.
-  std::cerr << "sbox-merge: " << reason.substr(0, reason.find('\n')) << "\n";
-  return exit_code;
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
-  try {
-    const auto arguments = sbox::app::parseArguments(argc, argv);
-    if (!arguments) {
-      return 0;
-    }
-    sbox::app::noteInterrupts();
-    return sbox::app::run(*arguments);
-  } catch (const sbox::app::UsageError& error) {
-    return fail(std::string(error.what()) + " (see sbox-merge --help)", wrong_usage);
-  } catch (const sbox::app::Interrupted& error) {
-    return fail(error.what(), error.exitCode());
-  } catch (const std::bad_alloc&) {
-    return fail("there is not enough memory for maps this large", unusable_file);
-  } catch (const std::exception& error) {
-    return fail(error.what(), unusable_file);
-  }
-}
+int main(int argc, char** argv) { return sbox::app::command(argc, argv, sbox::app::handLogsOver); }

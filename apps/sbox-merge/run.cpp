@@ -73,7 +73,7 @@ MatchStore joined(const std::vector<MatchedShare>& shares, const Inputs& inputs,
 
 }  // namespace
 
-int run(const Arguments& arguments) {
+int run(const Arguments& arguments, const RunSlams& run_slams) {
   if (arguments.dump_config) {
     std::cout << dumpConfig(arguments.merge) << std::flush;
     return 0;
@@ -86,7 +86,7 @@ int run(const Arguments& arguments) {
   };
   checkOutputs(arguments);
   const std::vector<MatchedShare> shares = loadShares(arguments.joined);
-  const Inputs inputs = loadInputs(arguments, tell);
+  const Inputs inputs = loadInputs(arguments, run_slams, tell);
   const double load_seconds = stopwatch.seconds();
   if (arguments.share) {
     const MatchedShare share = matchShare(inputs.maps, arguments.merge, *arguments.share, tell);

@@ -3,11 +3,12 @@
 #pragma once
 
 #include "sbox-merge/arguments.h"
+#include "sbox-merge/command.h"
 
 namespace sbox::app {
 
 /// Loads, merges, writes and tells. Returns 0 if every map is part of the merged map, else 3.
 /// Throws FileError, Interrupted, and what mergeMaps throws.
-[[nodiscard]] int run(const Arguments& arguments);
+[[nodiscard]] int run(const Arguments& arguments, const RunSlams& run_slams);
 
 }  // namespace sbox::app

@@ -6,7 +6,7 @@
 
 namespace sbox::app {
 
-/// Fills in the key frames of those inputs that are logs. Throws FileError if one cannot be mapped.
+/// A RunSlams.
 void runSlams(const Arguments& arguments, const ProgressFunction& tell, Inputs& inputs);
 
 }  // namespace sbox::app

@@ -38,6 +38,11 @@ for file in share/man/man1/sbox-merge.1 share/bash-completion/completions/sbox-m
     share/doc/sbox-merge/copyright; do
   [[ -s commands/usr/$file ]] || fail "sbox-merge lacks $file"
 done
+if [[ -e library/usr/lib/cmake/sbox/sbox-slam-targets.cmake ]]; then
+  # Logs go to the program with SLAM, which looks for the files.
+  commands/usr/bin/sbox-merge --in no.rawlog no_other.rawlog 2> said.txt || true
+  grep --quiet "no.rawlog: .*no such file" said.txt || fail "logs: $(cat said.txt)"
+fi
 [[ ! -e commands/usr/include ]] || fail "sbox-merge holds headers"
 for file in include/sbox/merge.h lib/cmake/sbox/sbox-config.cmake share/doc/libsbox-dev/copyright; do
   [[ -s library/usr/$file ]] || fail "libsbox-dev lacks $file"
