@@ -63,7 +63,7 @@ TEST_CASE("many points find their cells, walls and depths as one by one", "[feat
     cells.emplace_back(i, k);
     values.emplace_back(i, fields.distances[sector][k], fields.free_depth[k]);
     depths.emplace_back(i, fields.free_depth[k]);
-    if (fields.nearest[sector][k] >= 0) {
+    if (fields.nearest[sector][k] != WallFields::none) {
       walls.emplace_back(i, points[i].x(),
                          &map.wall_points[static_cast<size_t>(fields.nearest[sector][k])]);
     }

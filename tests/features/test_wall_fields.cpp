@@ -97,19 +97,18 @@ TEST_CASE("fields hold the nearest wall point that faces each way", "[features]"
           if (std::abs(nearest - 2) < 0.01) {
             continue;  // Just within reach or just not.
           }
-          const std::int32_t index = fields.nearest[sector][cell];
+          const std::uint16_t index = fields.nearest[sector][cell];
           if (nearest > 2) {
             ++without;
             wrong_distance += distanceIn(fields, cell, sector) > 2.545 ? 0 : 1;
-            wrong_index += index == -1 ? 0 : 1;
+            wrong_index += index == WallFields::none ? 0 : 1;
           } else {
             ++with_wall;
             wrong_distance += std::abs(distanceIn(fields, cell, sector) - nearest) < 0.006 ? 0 : 1;
-            wrong_index +=
-                index >= 0 && (points[static_cast<size_t>(index)].position - place).norm() <
-                                  nearest + 1e-4
-                    ? 0
-                    : 1;
+            wrong_index += index != WallFields::none &&
+                                   (points[index].position - place).norm() < nearest + 1e-4
+                               ? 0
+                               : 1;
           }
         }
       }
@@ -182,10 +181,11 @@ TEST_CASE("depth that is worked out by bands is that of the whole grid", "[featu
       const bool inside = x >= 0 && y >= 0 && x < grid.width && y < grid.height;
       const double metres =
           inside ? static_cast<double>(depth.at<float>(y + 1, x + 1)) * grid.resolution : 0;
-      const double expected = std::min(255.0, std::round(metres / WallFields::unit));
+      const double expected = std::min(255.0, metres / WallFields::unit);
       const int found = fields.free_depth[indexOf(fields, column, row)];
       deepest += found == 255 ? 1 : 0;
-      wrong += found == expected ? 0 : 1;
+      // Rounded, of steps across corners that count 1.369 cells here and 1.3693 there.
+      wrong += std::abs(found - expected) < 0.6 ? 0 : 1;
     }
   }
   CHECK(deepest > 1000);

@@ -101,16 +101,16 @@ void forEachNearest(const WallFields& fields, const std::vector<WallPoint>& poin
     found = 0;
   };
   const auto addressesOf = [&](size_t i, size_t cell) {
-    return std::array<const std::int32_t*, 1>{fields.nearest[sectorOf(direction_of(i))].data() +
-                                              cell};
+    return std::array<const std::uint16_t*, 1>{fields.nearest[sectorOf(direction_of(i))].data() +
+                                               cell};
   };
   forEachCell(fields, count, place_of, addressesOf,
               [&](size_t i, const Eigen::Vector2d& place, size_t cell) {
-                const std::int32_t index = *addressesOf(i, cell)[0];
-                const WallPoint* nearest = points.data() + std::max(index, 0);
+                const std::uint16_t index = *addressesOf(i, cell)[0];
+                const WallPoint* nearest = points.data() + std::min<size_t>(index, points.size());
                 __builtin_prefetch(nearest);
                 batch[found] = {place, i, nearest};
-                found += index >= 0 ? 1 : 0;
+                found += index != WallFields::none ? 1 : 0;
                 if (found == batch.size()) {
                   takeAll();
                 }

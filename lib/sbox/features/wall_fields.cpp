@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
+#include <limits>
 #include <tuple>
 
 #include "sbox/core/round.h"
@@ -27,9 +27,9 @@ void forEachSector(const Eigen::Vector2d& normal, double overlap, const Take& ta
 
 /// Offers a wall point to the cells within `radius` cells along rows and columns;
 /// `squared_distances` and `nearest` are of the points offered so far.
-void offer(const WallFields& fields, const Eigen::Vector2d& position, std::int32_t index,
+void offer(const WallFields& fields, const Eigen::Vector2d& position, std::uint16_t index,
            double radius, std::vector<float>& squared_distances,
-           std::vector<std::int32_t>& nearest) {
+           std::vector<std::uint16_t>& nearest) {
   const double column = (position.x() - fields.origin.x()) / fields.resolution - 0.5;
   const double row = (position.y() - fields.origin.y()) / fields.resolution - 0.5;
   const int x_first = std::max(0, ceilToInt(column - radius));
@@ -40,7 +40,7 @@ void offer(const WallFields& fields, const Eigen::Vector2d& position, std::int32
     const auto dy = static_cast<float>(y - row);
     const size_t row_start = static_cast<size_t>(y) * static_cast<size_t>(fields.width);
     float* squared = squared_distances.data() + row_start;
-    std::int32_t* indices = nearest.data() + row_start;
+    std::uint16_t* indices = nearest.data() + row_start;
     for (int x = x_first; x <= x_last; ++x) {
       const float dx = static_cast<float>(x) - static_cast<float>(column);
       const float d = dx * dx + dy * dy;
@@ -54,7 +54,7 @@ void offer(const WallFields& fields, const Eigen::Vector2d& position, std::int32
 struct Offered {
   std::uint64_t place;  ///< Grows row by row, and along a row, of the field's cells.
   Eigen::Vector2d position;
-  std::int32_t index;
+  std::uint16_t index;
 };
 
 /// The points that face each sector, row by row: they come scattered, but neighbours one after the
@@ -62,13 +62,13 @@ struct Offered {
 std::array<std::vector<Offered>, kSectors> bySector(const std::vector<WallPoint>& points,
                                                     double resolution, double overlap) {
   std::array<std::vector<Offered>, kSectors> facing;
-  for (size_t i = 0; i < points.size(); ++i) {
+  for (size_t i = 0; i < std::min(points.size(), size_t{WallFields::most_points}); ++i) {
     const Eigen::Vector2d& position = points[i].position;
     const auto row = static_cast<std::uint32_t>(floorToInt(position.y() / resolution));
     const auto column = static_cast<std::uint32_t>(floorToInt(position.x() / resolution));
     forEachSector(points[i].normal, overlap, [&](size_t sector) {
       facing[sector].push_back(
-          {std::uint64_t{row} << 32 | column, position, static_cast<std::int32_t>(i)});
+          {std::uint64_t{row} << 32 | column, position, static_cast<std::uint16_t>(i)});
     });
   }
   for (std::vector<Offered>& offered : facing) {
@@ -79,23 +79,94 @@ std::array<std::vector<Offered>, kSectors> bySector(const std::vector<WallPoint>
   return facing;
 }
 
-/// Distances in cells from the cells of the rows `first` to `last` to the nearest cell there that
-/// is not free. Row -1 and the row above the grid, and column 0 and the last, are a rim that is not
-/// free, so that the edge of the grid counts.
-cv::Mat depthInRows(const StateGrid& grid, int first, int last) {
-  cv::Mat free(last - first + 1, grid.width + 2, CV_8U, cv::Scalar(0));
-  for (int y = std::max(first, 0); y <= std::min(last, grid.height - 1); ++y) {
-    auto* pixel = free.ptr<unsigned char>(y - first) + 1;
-    const CellState* cell =
-        grid.cells.data() + static_cast<size_t>(y) * static_cast<size_t>(grid.width);
-    for (int x = 0; x < grid.width; ++x) {
-      pixel[x] = cell[x] == CellState::Free ? 255 : 0;
+/// How far the cells in a band of rows are from the nearest that is not free, as the shortest way
+/// within the band by steps along rows, columns and diagonals (a chamfer distance). What lies
+/// beyond the grid is not free. Only free cells take time.
+class ChamferBand {
+ public:
+  explicit ChamferBand(const StateGrid& grid)
+      : grid_(grid), stride_(static_cast<size_t>(grid.width) + 2) {}
+
+  /// Works out the rows from `first` to before `last`.
+  void measure(int first, int last) {
+    first_ = first;
+    distances_.assign(stride_ * static_cast<size_t>(last - first + 2), 0);
+    const auto rim = static_cast<std::ptrdiff_t>(stride_);
+    if (first > 0) {
+      std::fill(distances_.begin(), distances_.begin() + rim, kFarthest);
+    }
+    if (last < grid_.height) {
+      std::fill(distances_.end() - rim, distances_.end(), kFarthest);
+    }
+    findRuns(first, last);
+    for (const Run& run : runs_) {
+      sweep(run.first, run.last, 1);
+    }
+    for (auto run = runs_.rbegin(); run != runs_.rend(); ++run) {
+      sweep(run->last, run->first, -1);
     }
   }
-  cv::Mat depth;
-  cv::distanceTransform(free, depth, cv::DIST_L2, 3);
-  return depth;
-}
+
+  /// Edge lengths of cells; 0 where the cell itself is not free.
+  [[nodiscard]] double at(int column, int row) const {
+    return distances_[indexOf(column, row)] / static_cast<double>(kScale);
+  }
+
+ private:
+  /// Distances are counted in fractions of a cell.
+  static constexpr int kScale = 1000;
+  /// Steps to a side and across a corner: those by which ways come nearest to straight ones
+  /// (Borgefors 1986).
+  static constexpr int kSide = 955, kDiagonal = 1369;
+  static constexpr std::uint16_t kFarthest = std::numeric_limits<std::uint16_t>::max();
+
+  /// Free cells side by side in a row, by their indices.
+  struct Run {
+    std::ptrdiff_t first, last;
+  };
+
+  /// There is a rim of one cell about the band.
+  [[nodiscard]] size_t indexOf(int column, int row) const {
+    return static_cast<size_t>(row - first_ + 1) * stride_ + static_cast<size_t>(column + 1);
+  }
+
+  void findRuns(int first_row, int last_row) {
+    runs_.clear();
+    for (int row = first_row; row < last_row; ++row) {
+      const auto begin = grid_.cells.begin() + static_cast<std::ptrdiff_t>(row) * grid_.width;
+      const auto end = begin + grid_.width;
+      const auto start = static_cast<std::ptrdiff_t>(indexOf(0, row));
+      const auto is_other = [](CellState state) { return state != CellState::Free; };
+      for (auto first = std::find(begin, end, CellState::Free); first != end;) {
+        const auto last = std::find_if(first, end, is_other);
+        runs_.push_back({start + (first - begin), start + (last - begin) - 1});
+        first = std::find(last, end, CellState::Free);
+      }
+    }
+  }
+
+  /// Free cells from one end of their run to the other, `step` at a time, by the row and the cell
+  /// that a sweep in this direction has passed before.
+  void sweep(std::ptrdiff_t from, std::ptrdiff_t to, std::ptrdiff_t step) {
+    const std::ptrdiff_t passed_row = -step * static_cast<std::ptrdiff_t>(stride_);
+    int distance = 0;  // At the ends of a run there is what is not free.
+    for (std::ptrdiff_t i = from; i != to + step; i += step) {
+      std::uint16_t* cell = distances_.data() + i;
+      const std::uint16_t* passed = cell + passed_row;
+      const int by_row =
+          std::min({passed[-1] + kDiagonal, passed[0] + kSide, passed[1] + kDiagonal});
+      const int before = step > 0 ? kFarthest : *cell;
+      distance = std::min({by_row, distance + kSide, before});
+      *cell = static_cast<std::uint16_t>(distance);
+    }
+  }
+
+  const StateGrid& grid_;
+  size_t stride_;
+  int first_ = 0;
+  std::vector<Run> runs_;
+  std::vector<std::uint16_t> distances_;  ///< Row by row, with the rim.
+};
 
 /// Index of the grid's row or column that holds the centre of the i-th of the fields.
 int gridIndex(double origin, int i, const WallFields& fields, const StateGrid& grid) {
@@ -103,37 +174,31 @@ int gridIndex(double origin, int i, const WallFields& fields, const StateGrid& g
 }
 
 void fillDepth(const StateGrid& grid, WallFields& fields) {
-  // Band by band, to need little memory at once: nothing further off than a margin matters.
-  constexpr int band = 512;
-  // The chamfer distance counts 0.955 for a row.
+  // Band by band, which stays in the cache: nothing further off than a margin matters.
+  constexpr int band = 128;
   const int margin = ceilToInt(WallFields::far * WallFields::unit / (0.95 * grid.resolution)) + 1;
   std::vector<int> columns;
   for (int x = 0; x < fields.width; ++x) {
     columns.push_back(gridIndex(fields.origin.x(), x, fields, grid));
   }
-  int y = 0;
-  for (int first = 0; first < grid.height; first += band) {
-    const int first_row = std::max(first - margin, -1);
-    const cv::Mat depth =
-        depthInRows(grid, first_row, std::min(first + band + margin, grid.height));
-    for (; y < fields.height; ++y) {
-      const int row = gridIndex(fields.origin.y(), y, fields, grid);
-      if (row < 0) {
-        continue;
-      }
-      if (row >= std::min(first + band, grid.height)) {
-        break;
-      }
-      const auto* distance = depth.ptr<float>(row - first_row) + 1;
-      std::uint8_t* field_row =
-          fields.free_depth.data() + static_cast<size_t>(y) * static_cast<size_t>(fields.width);
-      for (int x = 0; x < fields.width; ++x) {
-        const int column = columns[static_cast<size_t>(x)];
-        if (column >= 0 && column < grid.width) {
-          const double metres = static_cast<double>(distance[column]) * grid.resolution;
-          field_row[x] =
-              static_cast<std::uint8_t>(std::min(255.0, metres / WallFields::unit + 0.5));
-        }
+  ChamferBand distances(grid);
+  int measured = 0;  // The first row of the grid that is not.
+  for (int y = 0; y < fields.height; ++y) {
+    const int row = gridIndex(fields.origin.y(), y, fields, grid);
+    if (row < 0 || row >= grid.height) {
+      continue;
+    }
+    if (row >= measured) {
+      measured = row + band;
+      distances.measure(std::max(row - margin, 0), std::min(measured + margin, grid.height));
+    }
+    std::uint8_t* field_row =
+        fields.free_depth.data() + static_cast<size_t>(y) * static_cast<size_t>(fields.width);
+    for (int x = 0; x < fields.width; ++x) {
+      const int column = columns[static_cast<size_t>(x)];
+      if (column >= 0 && column < grid.width) {
+        const double metres = distances.at(column, row) * grid.resolution;
+        field_row[x] = static_cast<std::uint8_t>(std::min(255.0, metres / WallFields::unit + 0.5));
       }
     }
   }
@@ -172,21 +237,18 @@ WallFields makeFields(const StateGrid& grid, const std::vector<WallPoint>& point
   const auto to_units = static_cast<float>(fields.resolution / WallFields::unit);
   std::vector<float> squared;
   for (size_t sector = 0; sector < kSectors; ++sector) {
-    std::vector<std::int32_t>& nearest = fields.nearest[sector];
+    std::vector<std::uint16_t>& nearest = fields.nearest[sector];
     squared.assign(count, nothing);
-    nearest.assign(count, -1);
+    nearest.assign(count, WallFields::none);
     for (const Offered& point : facing[sector]) {
       offer(fields, point.position, point.index, radius, squared, nearest);
     }
     std::vector<std::uint8_t>& distances = fields.distances[sector];
     distances.resize(count);
-    std::transform(squared.begin(), squared.end(), distances.begin(), [to_units](float square) {
-      return static_cast<std::uint8_t>(std::min(255.F, std::sqrt(square) * to_units + 0.5F));
+    std::transform(squared.begin(), squared.end(), distances.begin(), [=](float square) {
+      const float units = square < nothing ? std::sqrt(square) * to_units + 0.5F : 255.F;
+      return static_cast<std::uint8_t>(std::min(255.F, units));
     });
-    std::transform(nearest.begin(), nearest.end(), distances.begin(), distances.begin(),
-                   [](std::int32_t index, std::uint8_t distance) {
-                     return index >= 0 ? distance : std::uint8_t{WallFields::far};
-                   });
   }
   return fields;
 }

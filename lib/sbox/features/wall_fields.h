@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "sbox/core/state_grid.h"
@@ -39,6 +40,10 @@ using ByteAngle = std::uint8_t;
 struct WallFields {
   static constexpr double unit = 0.01;      ///< Of the distances below, metres.
   static constexpr std::uint8_t far = 255;  ///< No wall within reach.
+  /// No wall point within reach.
+  static constexpr std::uint16_t none = std::numeric_limits<std::uint16_t>::max();
+  /// Of more wall points the fields know the first.
+  static constexpr size_t most_points = none;
 
   int width = 0;           ///< Cells in a row.
   int height = 0;          ///< Rows.
@@ -47,8 +52,8 @@ struct WallFields {
   /// By sector, then cell: distance from the cell's centre to the nearest wall point that faces the
   /// sector. A map's walls face few ways, so that what is asked for often lies close together.
   std::array<std::vector<std::uint8_t>, kSectors> distances;
-  /// The index of that wall point, or -1.
-  std::array<std::vector<std::int32_t>, kSectors> nearest;
+  /// The index of that wall point, or `none`.
+  std::array<std::vector<std::uint16_t>, kSectors> nearest;
   /// Distance to the nearest cell that is not free; 0 where the cell itself is not.
   std::vector<std::uint8_t> free_depth;
 
