@@ -24,26 +24,29 @@ void forEachCell(const WallFields& fields, size_t count, const PlaceOf& place_of
     size_t point, cell;
   };
   std::array<Found, 128> batch;
-  const Eigen::Array2d size(fields.width, fields.height);
-  const Eigen::Array2d last_cell = size - 1;
+  // With a rim of one cell, in which all that lies outside is found.
+  const Eigen::Array2d rim(fields.width + 1, fields.height + 1);
+  const Eigen::Vector2d origin = fields.origin - Eigen::Vector2d::Constant(fields.resolution);
+  const double per_cell = 1 / fields.resolution;
+  const auto width = static_cast<unsigned>(fields.width);
+  const auto height = static_cast<unsigned>(fields.height);
   const auto stride = static_cast<size_t>(fields.width);
   for (size_t first = 0; first < count && stride > 0; first += batch.size()) {
     const size_t last = std::min(count, first + batch.size());
     size_t found = 0;
     for (size_t i = first; i < last; ++i) {
       const Eigen::Vector2d place = place_of(i);
-      const Eigen::Array2d at = ((place - fields.origin) / fields.resolution).array();
+      const Eigen::Array2d at = ((place - origin) * per_cell).array().max(0.0).min(rim);
+      const unsigned column = static_cast<unsigned>(static_cast<int>(at.x())) - 1;
+      const unsigned row = static_cast<unsigned>(static_cast<int>(at.y())) - 1;
       // No branches: which points lie outside cannot be foreseen either.
-      const Eigen::Array2d within = at.max(0.0).min(last_cell);
-      const size_t cell =
-          static_cast<size_t>(within.y()) * stride + static_cast<size_t>(within.x());
+      const bool inside = (column < width) & (row < height);
+      const size_t cell = inside ? row * stride + column : 0;
       for (const void* address : addresses_of(i, cell)) {
         __builtin_prefetch(address);
       }
       batch[found] = {place, i, cell};
-      found += static_cast<size_t>(static_cast<int>(at.x() >= 0) & static_cast<int>(at.y() >= 0) &
-                                   static_cast<int>(at.x() < size.x()) &
-                                   static_cast<int>(at.y() < size.y()));
+      found += inside ? 1 : 0;
     }
     for (size_t k = 0; k < found; ++k) {
       take(batch[k].point, batch[k].place, batch[k].cell);
