@@ -163,8 +163,6 @@ void describeVerification(PairOptions& options, OptionTable& table) {
   table.number("same_turn", ranking.same_turn, {0, 90}, "Nearer answers are one, degrees");
   describeAlignment("first_alignment", ranking.first_alignment, "first, coarse alignment", table);
   describeAlignment("alignment", ranking.alignment, "alignment", table);
-  table.metres("narrow_kernel", ranking.narrow_kernel, {0.01, 10},
-               "Scale of the robust kernel of one more alignment where these leave doubt");
   table.number("accept_from", options.verdict.accept_from, {0, 1},
                "Probability from which the best fit is accepted");
   table.number("rival_from", options.verdict.rival_from, {0, 1},

@@ -86,32 +86,24 @@ double bendRatio(const MapFeatures& a, const MapFeatures& b, const DriftField& d
 
 /// How candidates are laid on the walls.
 enum class Alignment {
-  Wide,    ///< By a wide kernel, whatever becomes of the score: right where maps are bent.
-  Careful  ///< By a wide and a narrow kernel, and only where the score rises: right among clutter,
-           ///< where a wide kernel leads away from a good start.
+  Free,    ///< Whatever becomes of the score: right where maps are bent.
+  Careful  ///< Only where the score rises: right among clutter, where the kernel, which is wide,
+           ///< leads away from a good start.
 };
 
 void align(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked>& ranked,
-           const AlignmentOptions& wide, Alignment how, const RankingOptions& options,
+           const AlignmentOptions& alignment, Alignment how, const RankingOptions& options,
            const EvidenceWeights& weights, int threads) {
   const int points = 2 * options.fine_points;
-  AlignmentOptions narrow = wide;
-  narrow.kernel = options.narrow_kernel;
   parallelFor(static_cast<int>(ranked.size()), threads, [&](int i) {
     Ranked& candidate = ranked[static_cast<size_t>(i)];
-    const RigidTransform start = candidate.b_in_a;
-    if (how == Alignment::Wide) {
-      candidate.b_in_a = alignWalls(a, b, start, wide);
+    const RigidTransform aligned = alignWalls(a, b, candidate.b_in_a, alignment);
+    const double aligned_score = scoreOf(a, b, aligned, points, weights);
+    if (how == Alignment::Careful) {
       candidate.score = scoreOf(a, b, candidate.b_in_a, points, weights);
-      return;
     }
-    candidate.score = scoreOf(a, b, start, points, weights);
-    for (const AlignmentOptions& alignment : {wide, narrow}) {
-      const RigidTransform aligned = alignWalls(a, b, start, alignment);
-      const double aligned_score = scoreOf(a, b, aligned, points, weights);
-      if (aligned_score > candidate.score) {
-        candidate = {aligned, aligned_score};
-      }
+    if (how == Alignment::Free || aligned_score > candidate.score) {
+      candidate = {aligned, aligned_score};
     }
   });
 }
@@ -169,7 +161,7 @@ void addFits(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked> ran
     const auto same = std::find_if(fits.begin(), fits.end(), [&](const Fit& other) {
       return distanceWhenBent(a, b, fit, other) < options.same_bent;
     });
-    if (same != fits.end() && how == Alignment::Wide) {
+    if (same != fits.end() && how == Alignment::Free) {
       continue;
     }
     weighFit(a, b, options, fit);
@@ -201,8 +193,8 @@ std::vector<Fit> rankHypotheses(const MapFeatures& a, const MapFeatures& b,
   keepDistinct(ranked, options.aligned, b.middle(), options);
 
   std::vector<Fit> fits;
-  addFits(a, b, ranked, Alignment::Wide, options, weights, bent_weights, threads, fits);
-  // Where walls stand nearer than the wide kernel reaches.
+  addFits(a, b, ranked, Alignment::Free, options, weights, bent_weights, threads, fits);
+  // Where walls stand nearer than the kernel reaches.
   if (is_thorough && wallSpacing(a, b) < options.alignment.kernel) {
     addFits(a, b, std::move(ranked), Alignment::Careful, options, weights, bent_weights, threads,
             fits);

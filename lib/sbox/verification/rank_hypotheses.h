@@ -36,8 +36,6 @@ struct RankingOptions {
   EvidenceOptions bent_evidence = {0.25, 0.15, 0.45};  ///< With the drift taken out.
   AlignmentOptions first_alignment = {1.25, 6, 500};   ///< Of the best ones, coarsely ...
   AlignmentOptions alignment;                          ///< ... and of those that are kept.
-  /// Of the careful alignment that a thorough search adds where walls are dense, metres.
-  double narrow_kernel = 0.4;
   DriftOptions drift;     ///< Of maps that are bent.
   BoxMatchOptions boxes;  ///< Boxes that count as agreeing.
 };
