@@ -48,7 +48,7 @@ TEST_CASE("likeness is the plausibility of the best transform that has votes", "
       asked.min_per_heading = all.min_per_heading;
       double best = kImplausible;
       for (const Hypothesis& hypothesis : voteForTransforms(a, b, asked)) {
-        best = std::max(best, plausibility(gatherEvidence(a, b, hypothesis.b_in_a, 300, evidence)));
+        best = std::max(best, plausibility(measureOverlap(a, b, hypothesis.b_in_a, 300, evidence)));
       }
       CHECK(pairLikeness(one, other, all, votes, evidence) == best);
       if (votes.bin != VoteOptions().bin || evidence.kernel != EvidenceOptions().kernel) {

@@ -14,7 +14,7 @@ namespace sbox {
 
 /// When to accept.
 struct VerdictOptions {
-  double accept_from = 0.6;  ///< Probability from which the best fit is accepted, unless ...
+  double accept_from = 0.7;  ///< Probability from which the best fit is accepted, unless ...
   /// ... a rival at least this probable has nothing against it: repeated rooms and corridors.
   double rival_from = 0.05;
   double rival_agree = 0.85;     ///< Share of the common wall that agrees in such a rival.
