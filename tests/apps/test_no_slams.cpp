@@ -12,8 +12,7 @@ TEST_CASE("without SLAM a log is refused by name") {
   const ScratchFolder folder;
   const Outcome outcome = runMerge(folder.path(), {"--in", "a.rawlog", "b.rawlog.gz"});
   CHECK(outcome.exit_code == 1);
-  checkContains(outcome.err,
-                "sbox-merge: a.rawlog: needs SLAM, and /");
+  checkContains(outcome.err, "sbox-merge: a.rawlog: needs SLAM, and /");
   checkContains(outcome.err, "sbox-merge-with-slam cannot be run");
   CHECK(listing(folder.path()).empty());
 }

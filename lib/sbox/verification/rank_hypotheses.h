@@ -36,8 +36,8 @@ struct RankingOptions {
   EvidenceOptions bent_evidence = {0.25, 0.15, 0.45};  ///< With the drift taken out.
   AlignmentOptions first_alignment = {1.25, 6, 500};   ///< Of the best ones, coarsely ...
   AlignmentOptions alignment;                          ///< ... and of those that are kept.
-  DriftOptions drift;     ///< Of maps that are bent.
-  BoxMatchOptions boxes;  ///< Boxes that count as agreeing.
+  DriftOptions drift;                                  ///< Of maps that are bent.
+  BoxMatchOptions boxes;                               ///< Boxes that count as agreeing.
 };
 
 /// The best distinct fits, with their log odds, in no order that means anything. If thorough, a
