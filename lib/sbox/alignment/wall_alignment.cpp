@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "sbox/alignment/robust_kernel.h"
-#include "sbox/features/field_lookup.h"
+#include "sbox/alignment/wall_pairs.h"
 
 namespace sbox {
 namespace {
@@ -34,27 +34,22 @@ struct Normals {
 /// The walls of each map against those of the other; each wall counts half from either side.
 Normals gatherNormals(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
                       const Eigen::Vector2d& pivot, const AlignmentOptions& options) {
-  const PointMover to_a(b_in_a), to_b(b_in_a.inverse());
-  const ByteAngle byte_turn = toByteAngle(b_in_a.heading);
+  const PointMover to_a(b_in_a);
   Normals normals;
-  const size_t count_b = std::min(options.most_points, b.wall_points.size());
-  const double length_b = b.wallLengthPerPoint(count_b) / 2;
-  forEachNearest(
-      a.fields, a.wall_points, count_b, [&](size_t i) { return to_a(b.wall_points[i].position); },
-      [&](size_t i) { return static_cast<ByteAngle>(b.wall_directions[i] + byte_turn); },
-      [&](size_t, const Eigen::Vector2d& p, const WallPoint& target) {
+  const double length_b =
+      b.wallLengthPerPoint(std::min(options.most_points, b.wall_points.size())) / 2;
+  const double length_a =
+      a.wallLengthPerPoint(std::min(options.most_points, a.wall_points.size())) / 2;
+  forEachWallPair(
+      a, b, b_in_a, options.most_points,
+      [&](const WallPoint&, const Eigen::Vector2d& p, const WallPoint& target) {
         normals.add(target.position - p, target.normal, p - pivot, options.kernel, length_b);
-      });
-  const size_t count_a = std::min(options.most_points, a.wall_points.size());
-  const double length_a = a.wallLengthPerPoint(count_a) / 2;
-  forEachNearest(
-      b.fields, b.wall_points, count_a, [&](size_t i) { return to_b(a.wall_points[i].position); },
-      [&](size_t i) { return static_cast<ByteAngle>(a.wall_directions[i] - byte_turn); },
-      [&](size_t i, const Eigen::Vector2d&, const WallPoint& source) {
+      },
+      [&](const WallPoint& point, const Eigen::Vector2d&, const WallPoint& source) {
         // The wall of b is what moves.
         const Eigen::Vector2d moved = to_a(source.position);
-        normals.add(a.wall_points[i].position - moved, to_a.turn(source.normal), moved - pivot,
-                    options.kernel, length_a);
+        normals.add(point.position - moved, to_a.turn(source.normal), moved - pivot, options.kernel,
+                    length_a);
       });
   return normals;
 }

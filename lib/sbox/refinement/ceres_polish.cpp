@@ -12,8 +12,8 @@
 #include <cmath>
 
 #include "sbox/alignment/robust_kernel.h"
+#include "sbox/alignment/wall_pairs.h"
 #include "sbox/core/cholesky.h"
-#include "sbox/features/field_lookup.h"
 
 namespace sbox {
 namespace {
@@ -130,25 +130,20 @@ class PolishCost final : public ceres::CostFunction {
 /// Wall points of either map that lie near a wall of the other under `b_in_a`, with this.
 PolishPairs pairWalls(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,
                       double reach, size_t most_points) {
-  const PointMover to_a(b_in_a), to_b(b_in_a.inverse());
-  const ByteAngle turn = toByteAngle(b_in_a.heading);
   PolishPairs pairs;
-  forEachNearest(
-      a.fields, a.wall_points, std::min(most_points, b.wall_points.size()),
-      [&](size_t i) { return to_a(b.wall_points[i].position); },
-      [&](size_t i) { return static_cast<ByteAngle>(b.wall_directions[i] + turn); },
-      [&](size_t i, const Vector& place, const WallPoint& line) {
-        if ((line.position - place).norm() <= reach) {
-          pairs.on_lines_of_a.push_back({line, b.wall_points[i]});
+  const auto isNear = [&](const Vector& place, const WallPoint& wall) {
+    return (wall.position - place).norm() <= reach;
+  };
+  forEachWallPair(
+      a, b, b_in_a, most_points,
+      [&](const WallPoint& point_b, const Vector& place, const WallPoint& line_a) {
+        if (isNear(place, line_a)) {
+          pairs.on_lines_of_a.push_back({line_a, point_b});
         }
-      });
-  forEachNearest(
-      b.fields, b.wall_points, std::min(most_points, a.wall_points.size()),
-      [&](size_t i) { return to_b(a.wall_points[i].position); },
-      [&](size_t i) { return static_cast<ByteAngle>(a.wall_directions[i] - turn); },
-      [&](size_t i, const Vector& place, const WallPoint& line) {
-        if ((line.position - place).norm() <= reach) {
-          pairs.on_lines_of_b.push_back({a.wall_points[i], line});
+      },
+      [&](const WallPoint& point_a, const Vector& place, const WallPoint& line_b) {
+        if (isNear(place, line_b)) {
+          pairs.on_lines_of_b.push_back({point_a, line_b});
         }
       });
   return pairs;
