@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "sbox-bench/write_answers.h"
+
 namespace sbox::bench {
 namespace {
 
@@ -21,6 +23,32 @@ std::vector<Point2D> readPoints(const json& list) {
     points.emplace_back(point.at(0).get<double>(), point.at(1).get<double>());
   }
   return points;
+}
+
+json pointsJson(const std::vector<Point2D>& points) {
+  json list = json::array();
+  for (const Point2D& point : points) {
+    list.push_back({point.x, point.y});
+  }
+  return list;
+}
+
+nlohmann::ordered_json pairJson(const AnnotatedPair& pair) {
+  nlohmann::ordered_json entry = {{"env", pair.group}, {"a", pair.a}, {"b", pair.b}};
+  if (pair.negative) {
+    entry["negative"] = true;
+    return entry;
+  }
+  entry["theta_deg"] = pair.theta_deg;
+  if (pair.theta_local) {
+    entry["theta_local"] = *pair.theta_local;
+  }
+  entry["t_cells"] = pointsJson({pair.offset}).front();
+  entry["rms_cells"] = pair.floor_cells;
+  entry["tol_cells"] = pair.tolerance_cells;
+  entry["pa"] = pointsJson(pair.points_a);
+  entry["pb"] = pointsJson(pair.points_b);
+  return entry;
 }
 
 AnnotatedPair readPair(const json& entry) {
@@ -72,6 +100,15 @@ PairFolder readPairFolder(const std::string& folder) {
     throw std::runtime_error(file + ": resolution must be positive");
   }
   return result;
+}
+
+void writePairFolder(const PairFolder& folder) {
+  nlohmann::ordered_json document = {{"resolution", folder.resolution},
+                                     {"pairs", nlohmann::ordered_json::array()}};
+  for (const AnnotatedPair& pair : folder.pairs) {
+    document["pairs"].push_back(pairJson(pair));
+  }
+  writeText((fs::path(folder.path) / "pairs.json").string(), document.dump(1) + "\n");
 }
 
 std::string findMapFile(const std::string& folder, const std::string& name) {

@@ -41,6 +41,10 @@ struct PairFolder {
 /// in the format.
 [[nodiscard]] PairFolder readPairFolder(const std::string& folder);
 
+/// Writes FOLDER/pairs.json, which readPairFolder reads. Throws std::runtime_error with "PATH:
+/// reason".
+void writePairFolder(const PairFolder& folder);
+
 /// The file of the map that pairs.json calls `name`: .gridmap, .gridmap.gz, .yaml or .png, first
 /// in the folder, then in its parent. Throws std::runtime_error naming both if there is none.
 [[nodiscard]] std::string findMapFile(const std::string& folder, const std::string& name);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// sbox-dataset: makes map pairs with known truth, from a simulated world or from a real log.
+// sbox-dataset: makes map pairs with known truth: from a simulated world, from a real log, or from
+// other pairs.
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <exception>
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "command_line.h"
+#include "sbox-dataset/cut_pairs.h"
 #include "sbox-dataset/drive.h"
 #include "sbox-dataset/fleet.h"
 #include "sbox-dataset/logged_runs.h"
@@ -45,6 +47,11 @@ struct CutArguments {
   size_t first = 0;
   size_t count = 0;
   std::string out;
+};
+
+struct CutPairsArguments {
+  std::string pairs;
+  CutOptions options;
 };
 
 struct LogArguments {
@@ -152,6 +159,25 @@ int main(int argc, char** argv) {
   cut_command->add_option("--count", cut.count, "Number of scans")->required();
   cut_command->add_option("--out", cut.out, "The part, a rawlog")->required();
 
+  CutPairsArguments halves;
+  CLI::App* halves_command = app.add_subcommand(
+      "cut-pairs", "Cut the maps of annotated pairs across their main axis, to share less");
+  halves_command->add_option("--pairs", halves.pairs, "Folder with a pairs.json")
+      ->required()
+      ->check(CLI::ExistingDirectory);
+  halves_command
+      ->add_option("--a-until", halves.options.a_until,
+                   "Map a keeps this share of the free space (default 0.65)")
+      ->check(CLI::Range(0.0, 1.0));
+  halves_command
+      ->add_option("--b-from", halves.options.b_from,
+                   "Map b keeps what lies behind this share (default 0.35); from a-until on "
+                   "nothing is in common")
+      ->check(CLI::Range(0.0, 1.0));
+  halves_command->add_option("--tilt", halves.options.tilt_deg,
+                             "Turns the axis, degrees (default 0)");
+  addFolder(halves_command, output);
+
   LogArguments logged;
   CLI::App* log_command = app.add_subcommand("log", "Map parts of a log by the poses of a SLAM");
   log_command->add_option("--rawlog", logged.rawlog, "The whole log")->required();
@@ -166,6 +192,8 @@ int main(int argc, char** argv) {
   try {
     if (*cut_command) {
       LoggedScans(cut.rawlog).save(cut.first, cut.count, cut.out);
+    } else if (*halves_command) {
+      cutPairs(halves.pairs, output.folder, halves.options);
     } else if (*office_command) {
       saveWorld(randomOffice(office.seed), office.out);
     } else if (*fleet_command) {

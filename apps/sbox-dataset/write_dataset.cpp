@@ -7,8 +7,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <system_error>
 
+#include "sbox-dataset/output_folder.h"
 #include "sbox-dataset/truth.h"
 #include "sbox/io/save_map.h"
 
@@ -58,11 +58,7 @@ ordered_json negativeEntry(const Map& map_a, const Map& map_b) {
 
 void writeDataset(const std::string& folder, const std::vector<NamedRun>& runs,
                   const MappingOptions& mapping) {
-  std::error_code reason;
-  std::filesystem::create_directories(folder, reason);
-  if (reason) {
-    throw std::runtime_error(folder + ": cannot be made: " + reason.message());
-  }
+  makeFolder(folder);
   std::vector<Map> maps;
   for (const NamedRun& run : runs) {
     maps.push_back(mapRun(run.name, run.steps, mapping));

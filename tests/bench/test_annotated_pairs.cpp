@@ -47,6 +47,42 @@ TEST_CASE("a pair is read with its truth", "[bench][annotated_pairs]") {
   CHECK(read.pairs[1].negative);
 }
 
+TEST_CASE("what is written is read again", "[bench][annotated_pairs]") {
+  const TestFolder folder("write");
+  AnnotatedPair pair;
+  pair.group = "office";
+  pair.a = "one";
+  pair.b = "two";
+  pair.theta_deg = -30.5;
+  pair.theta_local = -29;
+  pair.offset = {4.25, -5};
+  pair.points_a = {{1, 2}, {3, 4}};
+  pair.points_b = {{5, 6}, {7, 8.5}};
+  pair.floor_cells = 1.5;
+  pair.tolerance_cells = 7;
+  AnnotatedPair negative;
+  negative.group = "far";
+  negative.a = "one";
+  negative.b = "three";
+  negative.negative = true;
+  writePairFolder({folder.path(), "", 0.1, {pair, negative}});
+  const PairFolder read = readPairFolder(folder.path());
+  CHECK(read.resolution == 0.1);
+  REQUIRE(read.pairs.size() == 2);
+  CHECK(read.pairs[0].group == pair.group);
+  CHECK(read.pairs[0].b == pair.b);
+  CHECK(read.pairs[0].theta_deg == pair.theta_deg);
+  CHECK(read.pairs[0].theta_local == pair.theta_local);
+  CHECK(read.pairs[0].offset == pair.offset);
+  CHECK(read.pairs[0].points_a == pair.points_a);
+  CHECK(read.pairs[0].points_b == pair.points_b);
+  CHECK(read.pairs[0].floor_cells == pair.floor_cells);
+  CHECK(read.pairs[0].tolerance_cells == pair.tolerance_cells);
+  CHECK(read.pairs[1].negative);
+  CHECK(read.pairs[1].b == negative.b);
+  CHECK_THROWS_AS(writePairFolder({folder.path("missing"), "", 0.1, {}}), std::runtime_error);
+}
+
 TEST_CASE("a folder name with a slash at its end is the same", "[bench][annotated_pairs]") {
   const TestFolder folder("slash");
   folder.write("pairs.json", R"({"resolution": 0.05, "pairs": []})");
