@@ -21,12 +21,14 @@ function(sbox_precompile target)
 endfunction()
 
 # sbox_compile_in_parts(TARGET MOST): compiles so many parts of its sources, each as one, or fewer
-# where the machine has fewer cores. So no two sources may have a private name in common.
+# where the machine has few cores, which compile other targets at the same time. So no two sources
+# may have a private name in common.
 function(sbox_compile_in_parts target most)
   if(NOT SBOX_COMPILE_AT_ONCE)
     return()
   endif()
-  cmake_host_system_information(RESULT parts QUERY NUMBER_OF_LOGICAL_CORES)
+  cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
+  math(EXPR parts "(${cores} + 1) / 2")
   if(parts GREATER most)
     set(parts ${most})
   endif()
