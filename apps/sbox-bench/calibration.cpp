@@ -12,7 +12,7 @@
 namespace sbox::bench {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoMean = std::numeric_limits<double>::quiet_NaN();
 /// Chi-squared of 3 degrees of freedom, 95th percentile.
 constexpr double kOneAnswer95 = 7.815;
 
@@ -36,7 +36,7 @@ ReliabilityBin& ConfidenceBins::add(double confidence, bool right) {
 std::vector<ReliabilityBin> ConfidenceBins::bins() const {
   std::vector<ReliabilityBin> means = bins_;
   for (ReliabilityBin& bin : means) {
-    bin.mean_confidence = bin.answers > 0 ? bin.mean_confidence / bin.answers : kNone;
+    bin.mean_confidence = bin.answers > 0 ? bin.mean_confidence / bin.answers : kNoMean;
   }
   return means;
 }
@@ -63,7 +63,7 @@ Reliability reliability(const std::vector<const Answer*>& answers) {
     result.brier += (confidence - right) * (confidence - right);
   }
   result.bins = bins.bins();
-  result.brier = result.answers > 0 ? result.brier / result.answers : kNone;
+  result.brier = result.answers > 0 ? result.brier / result.answers : kNoMean;
   return result;
 }
 

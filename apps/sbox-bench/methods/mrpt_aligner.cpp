@@ -29,7 +29,7 @@ struct GridAndPoints {
   Pose2D grid_in_map;      ///< MRPT's frame of the grid in that of the map.
 };
 
-GridAndPoints extract(const Map& map) {
+GridAndPoints gridAndPoints(const Map& map) {
   GridAndPoints result;
   result.grid = map.grid;
   result.grid.getAsPointCloud(result.walls);
@@ -46,7 +46,7 @@ mrpt::maps::CMultiMetricMap multiMap(const GridAndPoints& map) {
   return result;
 }
 
-PairResult match(const GridAndPoints& a, const GridAndPoints& b) {
+PairResult alignGrids(const GridAndPoints& a, const GridAndPoints& b) {
   const Stopwatch stopwatch;
   PairResult result;
   if (a.walls.empty() || b.walls.empty()) {
@@ -86,7 +86,7 @@ PairResult match(const GridAndPoints& a, const GridAndPoints& b) {
 
 }  // namespace
 
-std::optional<Method> mrptMethod() { return makeMethod("mrpt", extract, match); }
+std::optional<Method> mrptMethod() { return makeMethod("mrpt", gridAndPoints, alignGrids); }
 
 }  // namespace sbox::bench
 #else
