@@ -7,14 +7,15 @@
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "sbox-bench/judge.h"
+#include "sbox-bench/run_method.h"
 #include "sbox-dataset/output_folder.h"
 #include "sbox/core/principal_axes.h"
 #include "sbox/core/rigid_fit.h"
 #include "sbox/core/state_grid.h"
-#include "sbox/io/load_map.h"
 #include "sbox/io/save_map.h"
 
 namespace sbox::dataset {
@@ -137,16 +138,17 @@ CutPair cutPair(const Map& a, const Map& b, const bench::AnnotatedPair& pair, do
 }
 
 void cutPairs(const std::string& from, const std::string& to, const CutOptions& options) {
-  bench::PairFolder folder = bench::readPairFolder(from);
+  bench::LoadedFolder loaded = bench::loadFolder(bench::readPairFolder(from), {});
   makeFolder(to);
   std::vector<bench::AnnotatedPair> all;
-  for (const bench::AnnotatedPair& pair : folder.pairs) {
+  for (size_t i = 0; i < loaded.map_of_pair.size(); ++i) {
+    const bench::AnnotatedPair& pair = loaded.folder.pairs[i];
     if (pair.negative) {
       continue;
     }
-    CutPair cut =
-        cutPair(loadMap(bench::findMapFile(from, pair.a)),
-                loadMap(bench::findMapFile(from, pair.b)), pair, folder.resolution, options);
+    const auto [a, b] = loaded.map_of_pair[i];
+    CutPair cut = cutPair(loaded.maps[static_cast<size_t>(a)], loaded.maps[static_cast<size_t>(b)],
+                          pair, loaded.folder.resolution, options);
     std::string number = std::to_string(all.size());
     number.insert(0, 3 - std::min<size_t>(3, number.size()), '0');
     cut.pair.a = number + "a";
@@ -158,9 +160,9 @@ void cutPairs(const std::string& from, const std::string& to, const CutOptions& 
     saveMap(cut.b, (base / (cut.pair.b + ".gridmap.gz")).string());
     all.push_back(std::move(cut.pair));
   }
-  folder.path = to;
-  folder.pairs = std::move(all);
-  bench::writePairFolder(folder);
+  loaded.folder.path = to;
+  loaded.folder.pairs = std::move(all);
+  bench::writePairFolder(loaded.folder);
 }
 
 }  // namespace sbox::dataset

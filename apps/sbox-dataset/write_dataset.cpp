@@ -4,10 +4,9 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
+#include "sbox-bench/write_answers.h"
 #include "sbox-dataset/output_folder.h"
 #include "sbox-dataset/truth.h"
 #include "sbox/io/save_map.h"
@@ -79,12 +78,8 @@ void writeDataset(const std::string& folder, const std::vector<NamedRun>& runs,
       }
     }
   }
-  const std::string path = (std::filesystem::path(folder) / "pairs.json").string();
-  std::ofstream file(path);
-  file << document.dump(1) << '\n';
-  if (!file.flush()) {
-    throw std::runtime_error(path + ": cannot be written");
-  }
+  bench::writeText((std::filesystem::path(folder) / "pairs.json").string(),
+                   document.dump(1) + "\n");
 }
 
 }  // namespace sbox::dataset
