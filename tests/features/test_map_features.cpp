@@ -148,6 +148,35 @@ TEST_CASE("wall points and free points are scattered, none lost", "[features]") 
   }
 }
 
+TEST_CASE("of too many wall and free points those kept stand for all", "[features]") {
+  // Corridors a cell wide, with a wall on either side: 24 km of wall.
+  constexpr int size = 602;
+  constexpr double cell = 0.1;
+  Map comb = makeMap("comb", size, size, cell);
+  for (int y = 0; y < size; ++y) {
+    for (int x = 0; x < size; ++x) {
+      comb.grid.setCell(x, y, y % 3 == 1 && x > 0 && x < size - 1 ? 1.0F : 0.0F);
+    }
+  }
+  FeatureOptions options;
+  options.free_spacing = cell;
+  options.most_free_points = 9000;
+  const MapFeatures features = extractFeatures(comb, options);
+  CHECK(features.wall_points.size() == WallFields::most_points);
+  constexpr double corridors = 1 + (size - 2) / 3.0, length = (size - 2) * cell;
+  CHECK(features.wallLength() == Approx(2 * corridors * length).epsilon(0.01));
+  CHECK(features.free_points.size() < 9000);
+  CHECK(features.freeArea() == Approx(corridors * length * cell).epsilon(0.1));
+  double middle = 0;
+  for (const WallPoint& point : features.wall_points) {
+    middle += point.position.y() / static_cast<double>(features.wall_points.size());
+  }
+  CHECK(middle == Approx(features.height / 2).epsilon(0.01));
+  const MapFeatures office = extractFeatures(test::exploreMap(test::officeFloor(), {}, 0.1));
+  CHECK(office.point_spacing == WallLineOptions().point_spacing);
+  CHECK(office.free_point_area == FeatureOptions().free_spacing * FeatureOptions().free_spacing);
+}
+
 TEST_CASE("boxes and vertical points are listed frame by frame", "[features]") {
   // A square hall and a hall at 30 degrees: two frames.
   test::Floor floor = test::roomFloor(8, 8);

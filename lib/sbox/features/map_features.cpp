@@ -33,6 +33,19 @@ std::vector<Item> scattered(const std::vector<Item>& items) {
   return result;
 }
 
+/// As many of the items as there may be, evenly spread over all, in their order.
+template <typename Item>
+void thinOut(std::vector<Item>& items, size_t most) {
+  const size_t count = items.size();
+  if (count <= most) {
+    return;
+  }
+  for (size_t i = 0; i < most; ++i) {
+    items[i] = items[i * count / most];
+  }
+  items.resize(most);
+}
+
 std::vector<Eigen::Vector2d> freePoints(const StateGrid& grid, double spacing) {
   std::vector<Eigen::Vector2d> points;
   const double step = spacing / grid.resolution;
@@ -115,6 +128,8 @@ MapFeatures extractFeatures(const Map& map, const FeatureOptions& options) {
   ContourOptions contours = options.contours;
   contours.close_corners = contours.close_corners && is_fine;
   Walls walls = findWalls(traceFreeContours(grid, contours), grid.resolution, options.walls);
+  const size_t all_points = walls.points.size();
+  thinOut(walls.points, WallFields::most_points);
   if (is_fine) {
     sharpenWalls(cells, walls, options.sharpen);
   }
@@ -122,9 +137,13 @@ MapFeatures extractFeatures(const Map& map, const FeatureOptions& options) {
   for (const WallPoint& point : features.wall_points) {
     features.wall_directions.push_back(toByteAngle(std::atan2(point.normal.y(), point.normal.x())));
   }
-  features.point_spacing = options.walls.point_spacing;
-  features.free_points = freePoints(grid, options.free_spacing);
-  features.free_point_area = options.free_spacing * options.free_spacing;
+  features.point_spacing =
+      options.walls.point_spacing * (static_cast<double>(std::max<size_t>(all_points, 1)) /
+                                     static_cast<double>(std::max<size_t>(walls.points.size(), 1)));
+  const double free_spacing = std::max(
+      options.free_spacing, std::sqrt(features.width * features.height / options.most_free_points));
+  features.free_points = freePoints(grid, free_spacing);
+  features.free_point_area = free_spacing * free_spacing;
   // Vertical points (eq. 1) and boxes (section 3.1.3, eq. 3) along each main direction.
   for (const WallFrame& frame : findFrames(walls.lines, options.frames)) {
     FrameFeatures of_frame;

@@ -26,7 +26,8 @@ namespace sbox {
 struct FeatureOptions {
   StateOptions states;              ///< Free, occupied or unknown.
   double working_resolution = 0.1;  ///< Finer maps are read in cells of this size, metres.
-  double free_spacing = 0.4;        ///< Between the free points, metres.
+  double free_spacing = 0.4;        ///< Between the free points, metres; wider where a map is ...
+  double most_free_points = 2.5e5;  ///< ... so large that it would have more of them.
   ContourOptions contours;          ///< Outlines of free space.
   WallLineOptions walls;            ///< Lines and points on them.
   SharpenOptions sharpen;           ///< Their place in the map's own cells.
@@ -48,12 +49,13 @@ struct FrameFeatures {
 /// Everything is in the grid frame: origin at the corner of the cropped grid, axes along its rows
 /// and columns, metres.
 struct MapFeatures {
-  FeatureSet feature_set;                    ///< For reports and pictures; in the map frame.
-  Pose2D grid_in_map;                        ///< The grid frame in the map frame.
-  double resolution = 0;                     ///< Of the map's own cells, metres.
-  double width = 0;                          ///< Of the known part, metres.
-  double height = 0;                         ///< Of the known part, metres.
-  std::vector<WallPoint> wall_points;        ///< Scattered, so that the first n are spread evenly.
+  FeatureSet feature_set;  ///< For reports and pictures; in the map frame.
+  Pose2D grid_in_map;      ///< The grid frame in the map frame.
+  double resolution = 0;   ///< Of the map's own cells, metres.
+  double width = 0;        ///< Of the known part, metres.
+  double height = 0;       ///< Of the known part, metres.
+  /// Scattered, so that the first n are spread evenly; no more than the fields can tell apart.
+  std::vector<WallPoint> wall_points;
   std::vector<ByteAngle> wall_directions;    ///< Of each wall point's normal.
   double point_spacing = 0;                  ///< Length of wall that each stands for, metres.
   std::vector<Eigen::Vector2d> free_points;  ///< On a square lattice in free space; scattered too.

@@ -116,6 +116,17 @@ class BoxFinder {
     return (cover(lower) + cover(upper) + covers) / 4;
   }
 
+  /// Evidence that no box of these sides and this height exceeds, of any width up to `widest`, if
+  /// its two vertical sides have `covers` together.
+  static double mostEvidence(const Side& lower, const Side& upper, double height, double widest,
+                             double covers) {
+    // What a side adds grows with the width up to its own length and falls from there on.
+    const auto most = [&](const Side& side) {
+      return height + std::min(side.line->high - side.line->low, widest);
+    };
+    return (most(lower) + most(upper) + covers * (height + widest)) / 4;
+  }
+
   void findBetween(const Side& lower, const Side& upper) {
     // The upper and lower side must lie over each other somewhere, give or take a box.
     const double from = std::max(lower.line->low, upper.line->low) - limits_.max_side;
@@ -134,13 +145,27 @@ class BoxFinder {
         reaching.push_back({*side, cover});
       }
     }
+    if (reaching.empty()) {
+      return;
+    }
+    const double height = upper.line->across - lower.line->across;
+    const double most_cover =
+        std::max_element(reaching.begin(), reaching.end(), [](const auto& a, const auto& b) {
+          return a.cover < b.cover;
+        })->cover;
     for (size_t k = 0; k < reaching.size(); ++k) {
+      const double widest = std::min(
+          limits_.max_side, reaching.back().side.line->across - reaching[k].side.line->across);
+      if (kMargin * mostEvidence(lower, upper, height, widest, reaching[k].cover + most_cover) <=
+          floor_) {
+        continue;
+      }
       for (size_t l = k + 1; l < reaching.size(); ++l) {
         const double left = reaching[k].side.line->across, right = reaching[l].side.line->across;
         if (right - left > limits_.max_side) {
           break;
         }
-        const double size = upper.line->across - lower.line->across + right - left;
+        const double size = height + right - left;
         if (right - left < limits_.min_side ||
             kMargin * bound(lower, upper, right - left, reaching[k].cover + reaching[l].cover) *
                     size <=

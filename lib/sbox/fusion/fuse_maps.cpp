@@ -53,41 +53,63 @@ Map makeMerged(const Lattice& lattice, const CellBox& box) {
       cellCorner(lattice.corner_in_reference, lattice.resolution, box.x_first, box.y_first));
 }
 
-struct Counts {
-  std::size_t shared = 0;
-  std::size_t conflicts = 0;
+/// What lies in a band of rows.
+struct Shared {
+  std::size_t cells = 0;               ///< As FusionResult::shared_cells.
+  std::vector<std::size_t> conflicts;  ///< As FusionResult's, but tile by tile.
 };
 
 int saturated(int log_odds) { return std::clamp(log_odds, -127, 127); }
 
-/// Settles the cells of a tile and writes them into the result, whose cell (0, 0) is lattice cell
-/// (box.x_first, box.y_first). Counts what is shared and in conflict.
-Counts settleTile(const EvidenceTile& tile, const std::vector<MapLayer>& layers, const CellBox& box,
-                  const FusionOptions& options, const StateLimits& limits, FusionResult* result) {
-  Counts counts;
-  const auto width = static_cast<std::size_t>(box.x_end - box.x_first);
-  const CellBox& cells = tile.cells();
-  const int offset = cells.x_first - box.x_first;
-  for (int y = cells.y_first; y < cells.y_end; ++y) {
-    const CellTally* tallies = tile.row(y);
-    CellLogOdds* out = result->merged.grid.getRow(y - box.y_first) + offset;
-    std::uint8_t* conflicts =
-        result->conflicts.data() + static_cast<std::size_t>(y - box.y_first) * width + offset;
-    for (int i = 0; i < cells.x_end - cells.x_first; ++i) {
-      const CellTally& tally = tallies[i];
-      counts.shared += tally.maps() >= 2 ? 1 : 0;
-      int value = tally.free() - tally.occupied();
-      if (tally.contested()) {
-        const ContestedCell cell = contestedCell(layers, cells.x_first + i, y, limits);
-        value =
-            options.rule == FusionRule::Table ? settleByTable(cell, limits) : settleByLogOdds(cell);
-        conflicts[i] = cell.conflict ? 1 : 0;
-        counts.conflicts += cell.conflict ? 1 : 0;
-      }
-      out[i] = static_cast<CellLogOdds>(saturated(value));
-    }
+/// What settleUncontested() finds in a row.
+struct RowCounts {
+  std::uint32_t shared = 0, contested = 0;
+};
+
+/// Settles the cells of a row of a tile, those that are contested as if they were not. Without a
+/// branch, so that compilers work on many cells at once.
+RowCounts settleUncontested(const CellTally* tallies, std::size_t count, CellLogOdds* out) {
+  RowCounts counts;
+  for (std::size_t i = 0; i < count; ++i) {
+    const CellTally tally = tallies[i];
+    out[i] = static_cast<CellLogOdds>(saturated(tally.free() - tally.occupied()));
+    counts.shared += static_cast<std::uint32_t>(tally.maps() >= 2);
+    counts.contested += static_cast<std::uint32_t>(tally.contested());
   }
   return counts;
+}
+
+/// Settles the cells of a tile and writes them into `merged`, whose cell (0, 0) is lattice cell
+/// (box.x_first, box.y_first). Adds to what is shared and in conflict.
+void settleTile(const EvidenceTile& tile, const std::vector<MapLayer>& layers, const CellBox& box,
+                const FusionOptions& options, const StateLimits& limits, Map* merged,
+                Shared* shared) {
+  const CellBox& cells = tile.cells();
+  const auto count = static_cast<std::size_t>(cells.x_end - cells.x_first);
+  const auto column = static_cast<std::size_t>(cells.x_first - box.x_first);
+  for (int y = cells.y_first; y < cells.y_end; ++y) {
+    const CellTally* tallies = tile.row(y);
+    const int row = y - box.y_first;
+    CellLogOdds* out = merged->grid.getRow(row) + column;
+    const RowCounts counts = settleUncontested(tallies, count, out);
+    shared->cells += counts.shared;
+    if (counts.contested == 0) {
+      continue;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!tallies[i].contested()) {
+        continue;
+      }
+      const ContestedCell cell =
+          contestedCell(layers, cells.x_first + static_cast<int>(i), y, limits);
+      out[i] = static_cast<CellLogOdds>(saturated(
+          options.rule == FusionRule::Table ? settleByTable(cell, limits) : settleByLogOdds(cell)));
+      if (cell.conflict) {
+        shared->conflicts.push_back(
+            static_cast<std::size_t>(row) * static_cast<std::size_t>(merged->width()) + column + i);
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -109,10 +131,9 @@ FusionResult fuseMaps(const std::vector<PlacedMap>& maps, std::size_t reference,
 
   FusionResult result;
   result.merged = makeMerged(lattice, box);
-  result.conflicts.assign(result.merged.grid.getRawMap().size(), 0);
   const StateLimits limits = stateLimits(options.states);
   const int bands = (result.merged.height() + kTileHeight - 1) / kTileHeight;
-  std::vector<Counts> counts(static_cast<std::size_t>(bands));
+  std::vector<Shared> shared(static_cast<std::size_t>(bands));
   parallelFor(bands, options.threads, [&](int band) {
     EvidenceTile tile;
     CellBox cells = box;
@@ -126,21 +147,21 @@ FusionResult fuseMaps(const std::vector<PlacedMap>& maps, std::size_t reference,
       for (const MapLayer& layer : layers) {
         any_known = tile.add(layer) || any_known;
       }
-      if (!any_known) {
-        continue;
+      if (any_known) {
+        settleTile(tile, layers, box, options, limits, &result.merged,
+                   &shared[static_cast<std::size_t>(band)]);
       }
-      const Counts in_tile = settleTile(tile, layers, box, options, limits, &result);
-      counts[static_cast<std::size_t>(band)].shared += in_tile.shared;
-      counts[static_cast<std::size_t>(band)].conflicts += in_tile.conflicts;
     }
   });
-  for (const Counts& in_band : counts) {
-    result.shared_cells += in_band.shared;
-    result.conflict_cells += in_band.conflicts;
+  for (Shared& in_band : shared) {
+    std::sort(in_band.conflicts.begin(), in_band.conflicts.end());
+    result.shared_cells += in_band.cells;
+    result.conflicts.insert(result.conflicts.end(), in_band.conflicts.begin(),
+                            in_band.conflicts.end());
   }
   if (result.shared_cells > 0) {
     result.conflict_share =
-        static_cast<double>(result.conflict_cells) / static_cast<double>(result.shared_cells);
+        static_cast<double>(result.conflicts.size()) / static_cast<double>(result.shared_cells);
   }
   return result;
 }

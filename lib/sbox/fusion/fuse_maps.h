@@ -34,12 +34,10 @@ struct FusionResult {
   /// In the reference map's frame, on its lattice of cells (see lattice.h), and no larger than what
   /// any map knows; a single unknown cell if none knows anything.
   Map merged;
-  /// For each cell of `merged`, row by row, lowest row first: 1 where maps conflict (see
-  /// contested_cell.h).
-  std::vector<std::uint8_t> conflicts;
-  std::size_t shared_cells = 0;    ///< Merged cells that two or more maps know.
-  std::size_t conflict_cells = 0;  ///< Those of them where maps conflict.
-  double conflict_share = 0;       ///< conflict_cells / shared_cells; 0 if nothing is shared.
+  std::size_t shared_cells = 0;  ///< Merged cells that two or more maps know.
+  /// Those of them where maps conflict (see contested_cell.h), in ascending order: x + y width.
+  std::vector<std::size_t> conflicts;
+  double conflict_share = 0;  ///< Of the shared cells; 0 if nothing is shared.
 };
 
 /// Fuses `maps` in the frame of maps[reference], whose own pose is taken as zero. The order of the
