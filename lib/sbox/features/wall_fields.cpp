@@ -100,10 +100,16 @@ class ChamferBand {
     }
     findRuns(first, last);
     for (const Run& run : runs_) {
-      sweep(run.first, run.last, 1);
+      std::uint16_t* cells = distances_.data() + run.first;
+      const size_t count = run.count;
+      std::fill_n(cells, count, kFarthest);
+      stepFromRow(cells - stride_, count, cells);
+      stepAlong(cells, cells + count);
     }
     for (auto run = runs_.rbegin(); run != runs_.rend(); ++run) {
-      sweep(run->last, run->first, -1);
+      std::uint16_t* cells = distances_.data() + run->first;
+      stepFromRow(cells + stride_, run->count, cells);
+      stepAlong(std::make_reverse_iterator(cells + run->count), std::make_reverse_iterator(cells));
     }
   }
 
@@ -118,11 +124,12 @@ class ChamferBand {
   /// Steps to a side and across a corner: those by which ways come nearest to straight ones
   /// (Borgefors 1986).
   static constexpr int kSide = 955, kDiagonal = 1369;
-  static constexpr std::uint16_t kFarthest = std::numeric_limits<std::uint16_t>::max();
+  /// No distance is greater; a step more fits in 16 bits. Fields ask for less than half of it.
+  static constexpr std::uint16_t kFarthest = 64'000;
 
-  /// Free cells side by side in a row, by their indices.
+  /// Free cells side by side in a row, from this index on.
   struct Run {
-    std::ptrdiff_t first, last;
+    size_t first, count;
   };
 
   /// There is a rim of one cell about the band.
@@ -135,28 +142,35 @@ class ChamferBand {
     for (int row = first_row; row < last_row; ++row) {
       const auto begin = grid_.cells.begin() + static_cast<std::ptrdiff_t>(row) * grid_.width;
       const auto end = begin + grid_.width;
-      const auto start = static_cast<std::ptrdiff_t>(indexOf(0, row));
+      const size_t start = indexOf(0, row);
       const auto is_other = [](CellState state) { return state != CellState::Free; };
       for (auto first = std::find(begin, end, CellState::Free); first != end;) {
         const auto last = std::find_if(first, end, is_other);
-        runs_.push_back({start + (first - begin), start + (last - begin) - 1});
+        runs_.push_back(
+            {start + static_cast<size_t>(first - begin), static_cast<size_t>(last - first)});
         first = std::find(last, end, CellState::Free);
       }
     }
   }
 
-  /// Free cells from one end of their run to the other, `step` at a time, by the row and the cell
-  /// that a sweep in this direction has passed before.
-  void sweep(std::ptrdiff_t from, std::ptrdiff_t to, std::ptrdiff_t step) {
-    const std::ptrdiff_t passed_row = -step * static_cast<std::ptrdiff_t>(stride_);
-    int distance = 0;  // At the ends of a run there is what is not free.
-    for (std::ptrdiff_t i = from; i != to + step; i += step) {
-      std::uint16_t* cell = distances_.data() + i;
-      const std::uint16_t* passed = cell + passed_row;
-      const int by_row =
-          std::min({passed[-1] + kDiagonal, passed[0] + kSide, passed[1] + kDiagonal});
-      const int before = step > 0 ? kFarthest : *cell;
-      distance = std::min({by_row, distance + kSide, before});
+  /// Steps to `count` cells from those of the row that a sweep has passed before. Apart from
+  /// stepAlong(), so that compilers work on many cells at once.
+  static void stepFromRow(const std::uint16_t* passed, size_t count, std::uint16_t* cells) {
+    const auto step = [](std::uint16_t from, int length) {
+      return static_cast<std::uint16_t>(from + length);
+    };
+    for (size_t i = 0; i < count; ++i) {
+      const std::uint16_t diagonal = step(std::min(passed[i - 1], passed[i + 1]), kDiagonal);
+      cells[i] = std::min(cells[i], std::min(diagonal, step(passed[i], kSide)));
+    }
+  }
+
+  /// Steps along a run of free cells; at its ends there is what is not free.
+  template <typename Iterator>
+  static void stepAlong(Iterator cell, Iterator end) {
+    int distance = 0;
+    for (; cell != end; ++cell) {
+      distance = std::min<int>(distance + kSide, *cell);
       *cell = static_cast<std::uint16_t>(distance);
     }
   }
@@ -246,8 +260,8 @@ WallFields makeFields(const StateGrid& grid, const std::vector<WallPoint>& point
     std::vector<std::uint8_t>& distances = fields.distances[sector];
     distances.resize(count);
     std::transform(squared.begin(), squared.end(), distances.begin(), [=](float square) {
-      const float units = square < nothing ? std::sqrt(square) * to_units + 0.5F : 255.F;
-      return static_cast<std::uint8_t>(std::min(255.F, units));
+      const int units = std::min(255, static_cast<int>(std::sqrt(square) * to_units + 0.5F));
+      return static_cast<std::uint8_t>(units | 255 * static_cast<int>(square >= nothing));
     });
   }
   return fields;
