@@ -78,14 +78,14 @@ bool SubCellSampler::onNeck(const SubCell& place) const {
 }
 
 double neckWidth(double angle, double ratio) {
-  constexpr double kUnturned = 1e-9, kMargin = 1e-8;
+  constexpr double kUnturned = 1e-9, kSpare = 1e-8;
   if (std::abs(std::remainder(angle, M_PI / 2)) < kUnturned) {
     return 0;
   }
   const double slant = angle + M_PI / 4;
   const double width = std::max(std::abs(std::cos(slant)), std::abs(std::sin(slant)));
-  // Without the margin a wall that runs exactly between two rows would be lost in both.
-  return width * ratio + kMargin;
+  // Without the spare a wall that runs exactly between two rows would be lost in both.
+  return width * ratio + kSpare;
 }
 
 }  // namespace sbox

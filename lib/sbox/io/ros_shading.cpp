@@ -34,12 +34,12 @@ CellLogOdds rosCell(int percent) {
     return 0;
   }
   const double p_free = std::clamp(1 - percent / 100.0, 0.01, 0.99);
-  using Grid = mrpt::maps::COccupancyGridMap2D;
+  using mrpt::maps::COccupancyGridMap2D;
   // MRPT's own p2l reads a table of 256 steps and is off by several cells' values near 0 and 1.
   int nearest = 0;
   for (int value = -127; value <= 127; ++value) {
-    if (std::abs(Grid::l2p(static_cast<CellLogOdds>(value)) - p_free) <
-        std::abs(Grid::l2p(static_cast<CellLogOdds>(nearest)) - p_free)) {
+    if (std::abs(COccupancyGridMap2D::l2p(static_cast<CellLogOdds>(value)) - p_free) <
+        std::abs(COccupancyGridMap2D::l2p(static_cast<CellLogOdds>(nearest)) - p_free)) {
       nearest = value;
     }
   }
