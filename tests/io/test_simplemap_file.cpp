@@ -100,5 +100,5 @@ TEST_CASE("poses that are no numbers are refused", "[simplemap_file]") {
   // Written as it is, and then not believed on reading back.
   CHECK_THROWS_AS(saveKeyFrames({keyFrame({}, {}, {value, 0, 0})}, folder.path("a.simplemap")),
                   FileError);
-  CHECK(contains(errorOf(folder.path("a.simplemap")), "a key frame whose pose is no number"));
+  CHECK(contains(errorOf(folder.path("a.simplemap")), "a key frame whose pose makes no sense"));
 }

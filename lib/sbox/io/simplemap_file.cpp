@@ -8,13 +8,13 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <new>
 #include <stdexcept>
 
 #include "sbox/io/file_bytes.h"
 #include "sbox/io/file_error.h"
+#include "sbox/mapping/sound_pose.h"
 
 namespace sbox {
 
@@ -46,12 +46,8 @@ KeyFrames keyFramesOf(const CSimpleMap& map) {
         std::find(entry.sf->begin(), entry.sf->end(), nullptr) != entry.sf->end()) {
       throw std::invalid_argument("a key frame without pose or observations");
     }
-    const mrpt::poses::CPose3D mean = entry.pose->getMeanVal();
-    for (const double value :
-         {mean.x(), mean.y(), mean.z(), mean.yaw(), mean.pitch(), mean.roll()}) {
-      if (!std::isfinite(value)) {
-        throw std::invalid_argument("a key frame whose pose is no number");
-      }
+    if (!isSound(entry.pose->getMeanVal())) {
+      throw std::invalid_argument("a key frame whose pose makes no sense");
     }
     key_frames.push_back({entry.pose, entry.sf});
   }

@@ -9,6 +9,7 @@
 
 #include "sbox/core/map_limits.h"
 #include "sbox/mapping/crop_to_known.h"
+#include "sbox/mapping/sound_pose.h"
 #include "sbox/mapping/sound_scan.h"
 
 namespace sbox {
@@ -37,7 +38,7 @@ SeenExtent reach(const KeyFrames& key_frames, double max_range) {
   for (const KeyFrame& key_frame : key_frames) {
     const mrpt::poses::CPose3D robot = key_frame.robot_in_map->getMeanVal();
     for (const auto& observation : *key_frame.seen) {
-      if (!isSound(*observation)) {
+      if (!isSound(robot) || !isSound(*observation)) {
         throw std::invalid_argument("the pose, angles or ranges of a scan make no sense");
       }
       mrpt::poses::CPose3D sensor_on_robot;

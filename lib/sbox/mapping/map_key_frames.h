@@ -21,9 +21,9 @@ struct MappingOptions {
 };
 
 /// The map of all that was seen, cropped to the cells it knows.
-/// Throws std::invalid_argument if no observation could be used, one is not sound (see isSound())
-/// or an option makes no sense, and std::length_error if the poses lie so far apart that the map
-/// would be too large.
+/// Throws std::invalid_argument if no observation could be used, a pose or an observation is not
+/// sound (see isSound()) or an option makes no sense, and std::length_error if the poses lie so far
+/// apart that the map would be too large.
 [[nodiscard]] Map mapKeyFrames(const std::string& name, const KeyFrames& key_frames,
                                const MappingOptions& options = {});
 

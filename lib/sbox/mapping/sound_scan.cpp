@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sbox/mapping/sound_pose.h"
+
 namespace sbox {
 namespace {
 
@@ -27,7 +29,7 @@ bool isSoundScan(const mrpt::obs::CObservation2DRangeScan& scan) {
       return false;
     }
   }
-  return isFinite(scan.sensorPose.asTPose()) && canBeAperture(scan.aperture);
+  return isSound(scan.sensorPose) && canBeAperture(scan.aperture);
 }
 
 /// MRPT spelt the member with two "p" and mended that later.
