@@ -9,8 +9,9 @@
 
 namespace sbox::fuzz {
 
-/// In a process that may end any way: none of these is a finding of the fuzzer. AddressSanitizer has
-/// taken all addresses there are, so that a limit on memory does nothing; one on time stands in.
+/// In a process that may end any way: none of these is a finding of the fuzzer. AddressSanitizer
+/// has taken all addresses there are, so that a limit on memory does nothing; one on time stands
+/// in.
 inline void dieQuietly() {
   const rlimit seconds{1, 1};
   setrlimit(RLIMIT_CPU, &seconds);

@@ -260,7 +260,8 @@ WallFields makeFields(const StateGrid& grid, const std::vector<WallPoint>& point
     std::vector<std::uint8_t>& distances = fields.distances[sector];
     distances.resize(count);
     std::transform(squared.begin(), squared.end(), distances.begin(), [=](float square) {
-      const int units = std::min(255, static_cast<int>(std::sqrt(square) * to_units + 0.5F));
+      const float rounded = std::sqrt(square) * to_units + 0.5F;
+      const int units = std::min(255, static_cast<int>(rounded));
       return static_cast<std::uint8_t>(units | 255 * static_cast<int>(square >= nothing));
     });
   }

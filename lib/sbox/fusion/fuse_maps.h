@@ -35,7 +35,7 @@ struct FusionResult {
   /// any map knows; a single unknown cell if none knows anything.
   Map merged;
   std::size_t shared_cells = 0;  ///< Merged cells that two or more maps know.
-  /// Those of them where maps conflict (see contested_cell.h): x + y * width of `merged`, ascending.
+  /// Those of them where maps conflict (see contested_cell.h), as x + y * width, ascending.
   std::vector<std::size_t> conflicts;
   double conflict_share = 0;  ///< Of the shared cells; 0 if nothing is shared.
 };
