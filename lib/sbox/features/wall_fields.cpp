@@ -124,7 +124,8 @@ class ChamferBand {
   /// Steps to a side and across a corner: those by which ways come nearest to straight ones
   /// (Borgefors 1986).
   static constexpr int kSide = 955, kDiagonal = 1369;
-  /// No distance is greater; a step more fits in 16 bits. Fields ask for less than half of it.
+  /// No distance is greater; a step more fits in 16 bits. In cells of 0.1 m the fields ask for less
+  /// than half of it.
   static constexpr std::uint16_t kFarthest = 64'000;
 
   /// Free cells side by side in a row, from this index on.
