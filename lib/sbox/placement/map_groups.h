@@ -12,6 +12,7 @@
 #include "sbox/placement/pair_evidence.h"
 #include "sbox/placement/pose_graph.h"
 #include "sbox/placement/settled_group.h"
+#include "sbox/verification/verdict.h"
 
 namespace sbox {
 
@@ -24,7 +25,7 @@ struct GroupOptions {
   double alone = 0.5;          ///< Probability from which an accepted pair adds a single map.
   /// Probability from which a candidate counts as accepted once a guess has spoken: that of the
   /// verdict, which mergeMaps() puts here.
-  double accept_from = 0.7;
+  double accept_from = VerdictOptions().accept_from;
   /// Confidences are probabilities, see weighByBaseRate(): of the default method, says mergeMaps().
   bool is_calibrated = true;
   SamePoseOptions same_pose;  ///< When two poses are one.

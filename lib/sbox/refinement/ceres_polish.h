@@ -49,8 +49,8 @@ struct PolishPairs {
   std::vector<WallPair> on_lines_of_a;  ///< The point of b on the line of the wall of a.
   std::vector<WallPair> on_lines_of_b;  ///< The point of a on the line of the wall of b.
   std::vector<CornerPair> corners;      ///< On each other.
-  double corner_noise = 0.25;  ///< Standard deviation of a corner that counts fully, metres.
-  double corner_weight = 0;    ///< Of each corner over that of a pair of walls.
+  double corner_noise = PolishOptions().corner_noise;  ///< As in the options.
+  double corner_weight = 0;  ///< Of each corner over that of a pair of walls.
 };
 
 /// Residuals over the parameters (x, y, heading) of the pivot in map a, in the order of the pairs:
