@@ -160,8 +160,9 @@ class ChamferBand {
     const auto step = [](std::uint16_t from, int length) {
       return static_cast<std::uint16_t>(from + length);
     };
+    const std::uint16_t *left = passed - 1, *right = passed + 1;
     for (size_t i = 0; i < count; ++i) {
-      const std::uint16_t diagonal = step(std::min(passed[i - 1], passed[i + 1]), kDiagonal);
+      const std::uint16_t diagonal = step(std::min(left[i], right[i]), kDiagonal);
       cells[i] = std::min(cells[i], std::min(diagonal, step(passed[i], kSide)));
     }
   }
