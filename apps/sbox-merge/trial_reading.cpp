@@ -53,7 +53,7 @@ void limitMemory(std::uint64_t more) {
   } catch (const FileError& error) {
     tell(error.reason());
   } catch (const std::bad_alloc&) {
-    tell("does not fit into memory, or is damaged");
+    tell(no_memory);
   } catch (...) {
     // Told when the work is done in earnest.
   }

@@ -23,6 +23,9 @@ class FileError : public std::runtime_error {
   std::string reason_;
 };
 
+/// Reason of a FileError where a std::bad_alloc was met.
+inline constexpr const char* no_memory = "does not fit into memory, or is damaged";
+
 /// Throws the FileError of a file whose content, say "image", has no end.
 [[noreturn]] void throwTruncated(const std::string& path, const std::string& content);
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/io/gridmap_file.h"
 
-#include <mrpt/io/CFileGZInputStream.h>
 #include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/serialization/CArchive.h>
 
@@ -15,6 +14,7 @@
 #include "sbox/io/file_bytes.h"
 #include "sbox/io/file_error.h"
 #include "sbox/io/gridmap_header.h"
+#include "sbox/io/gzip_reader.h"
 
 namespace sbox {
 namespace {
@@ -28,33 +28,6 @@ constexpr std::uint8_t end_flag = 0x88;
 constexpr std::size_t max_options_size = 1 << 20;
 /// Deflate makes no less than one byte out of this many.
 constexpr std::uint64_t max_compression = 1032;
-
-/// Bytes of a file, decompressed on the way if they are compressed.
-class GzipReader {
- public:
-  explicit GzipReader(const std::string& path) : path_(path) {
-    if (!stream_.open(path)) {
-      throw FileError(path, "cannot be read");
-    }
-  }
-  /// Fills as much of the memory as the file can; returns how much.
-  std::size_t read(void* memory, std::size_t size) {
-    // zlib's -1 for damaged data comes out as a huge count.
-    const std::size_t count = stream_.Read(memory, size);
-    if (count > size) {
-      throw FileError(path_, "is damaged: its compressed data cannot be read");
-    }
-    total_ += count;
-    return count;
-  }
-  /// Bytes read so far, after decompression.
-  [[nodiscard]] std::uint64_t total() const { return total_; }
-
- private:
-  std::string path_;
-  mrpt::io::CFileGZInputStream stream_;
-  std::uint64_t total_ = 0;
-};
 
 /// Decompressed size that a gzip file states in its last four bytes; nothing for a plain file.
 std::optional<std::uint32_t> statedSize(const std::string& path, std::uint64_t file_size) {

@@ -64,7 +64,7 @@ KeyFrames loadKeyFrames(const std::string& path) {
   } catch (const FileError&) {
     throw;
   } catch (const std::bad_alloc&) {
-    throw FileError(path, "does not fit into memory, or is damaged");
+    throw FileError(path, no_memory);
   } catch (const std::exception&) {
     // MRPT's own text is many lines long, with a backtrace.
     throw FileError(path,

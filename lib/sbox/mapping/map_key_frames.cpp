@@ -37,8 +37,11 @@ SeenExtent reach(const KeyFrames& key_frames, double max_range) {
   SeenExtent extent;
   for (const KeyFrame& key_frame : key_frames) {
     const mrpt::poses::CPose3D robot = key_frame.robot_in_map->getMeanVal();
+    if (!isSound(robot)) {
+      throw std::invalid_argument("the pose of a key frame makes no sense");
+    }
     for (const auto& observation : *key_frame.seen) {
-      if (!isSound(robot) || !isSound(*observation)) {
+      if (!isSound(*observation)) {
         throw std::invalid_argument("the pose, angles or ranges of a scan make no sense");
       }
       mrpt::poses::CPose3D sensor_on_robot;

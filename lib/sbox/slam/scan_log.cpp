@@ -75,7 +75,7 @@ RawEntries readRawlog(const std::string& path) {
   } catch (const mrpt::serialization::CExceptionEOF&) {
     // The end, between two entries.
   } catch (const std::bad_alloc&) {
-    throw FileError(path, "does not fit into memory, or is damaged");
+    throw FileError(path, no_memory);
   } catch (const std::exception&) {
     // MRPT's own text is many lines long, with a backtrace.
     entries.cut_off = true;
