@@ -25,6 +25,7 @@ class EdgeFinder {
     const double step = cells.resolution / kStepsPerCell;
     for (double offset = options.reach; offset >= -options.reach; offset -= step) {
       steps_.push_back(offset);
+      steps_in_cells_.push_back(offset / cells.resolution);
     }
   }
 
@@ -36,7 +37,7 @@ class EdgeFinder {
     const Eigen::Vector2d along(normal.y(), -normal.x());
     edges_.clear();
     for (double place = first; place <= last; place += 2 * cells_.resolution) {
-      if (const std::optional<double> offset = edgeAt(base + place * along, normal)) {
+      if (const std::optional<double> offset = edgeAt((base + place * along) / cells_.resolution, normal)) {
         edges_.push_back({place, *offset});
       }
     }
@@ -51,15 +52,15 @@ class EdgeFinder {
     int x, y;
   };
 
-  /// Offset at which free space ends, coming from the free side.
+  /// Offset at which free space ends, coming from the free side. `base` is in cells.
   [[nodiscard]] std::optional<double> edgeAt(const Eigen::Vector2d& base,
                                              const Eigen::Vector2d& normal) const {
     const auto place = [&](size_t step) {
-      return Eigen::Vector2d((base + steps_[step] * normal) / cells_.resolution);
+      return Eigen::Vector2d(base + steps_in_cells_[step] * normal);
     };
-    const double margin = options_.reach + cells_.resolution;
-    if (base.x() > margin && base.x() < cells_.width * cells_.resolution - margin &&
-        base.y() > margin && base.y() < cells_.height * cells_.resolution - margin) {
+    const double margin = options_.reach / cells_.resolution + 1;
+    if (base.x() > margin && base.x() < cells_.width - margin && base.y() > margin &&
+        base.y() < cells_.height - margin) {
       // Most walls: within the grid, to round down is to cut off.
       return firstEdge(
           [&](size_t step) {
@@ -92,9 +93,13 @@ class EdgeFinder {
       const size_t next = std::min(step + kStepsPerCell, steps_.size() - 1);
       const Cell next_cell = cell_at(next);
       const bool next_free = free_at(next_cell);
-      // Of one cell, or of two that share a side, there is no third in between.
-      const bool no_other = std::abs(next_cell.x - cell.x) + std::abs(next_cell.y - cell.y) <= 1;
-      if (!no_other || (was_free && !next_free)) {
+      bool is_between = was_free && !next_free;
+      if (was_free == next_free && next_cell.x != cell.x && next_cell.y != cell.y) {
+        // The way from cell to cell may touch one of two others.
+        is_between = free_at({next_cell.x, cell.y}) != was_free ||
+                     free_at({cell.x, next_cell.y}) != was_free;
+      }
+      if (is_between) {
         for (size_t i = step + 1; i <= next; ++i) {
           const bool is_free = free_at(cell_at(i));
           if (was_free && !is_free) {
@@ -130,6 +135,7 @@ class EdgeFinder {
   const StateGrid& cells_;
   const SharpenOptions& options_;
   std::vector<double> steps_;  ///< Offsets that are looked at, from the free side on.
+  std::vector<double> steps_in_cells_;
   std::vector<Edge> edges_;
   std::vector<double> offsets_;
 };

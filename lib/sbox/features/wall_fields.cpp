@@ -113,14 +113,15 @@ class ChamferBand {
     }
   }
 
-  /// Edge lengths of cells; 0 where the cell itself is not free.
-  [[nodiscard]] double at(int column, int row) const {
-    return distances_[indexOf(column, row)] / static_cast<double>(kScale);
+  /// Of the cells of a row, in fractions of a cell's edge; 0 where the cell itself is not free.
+  [[nodiscard]] const std::uint16_t* row(int row) const {
+    return distances_.data() + indexOf(0, row);
   }
 
- private:
-  /// Distances are counted in fractions of a cell.
+  /// How many fractions make an edge.
   static constexpr int kScale = 1000;
+
+ private:
   /// Steps to a side and across a corner: those by which ways come nearest to straight ones
   /// (Borgefors 1986).
   static constexpr int kSide = 955, kDiagonal = 1369;
@@ -198,6 +199,7 @@ void fillDepth(const StateGrid& grid, WallFields& fields) {
     columns.push_back(gridIndex(fields.origin.x(), x, fields, grid));
   }
   ChamferBand distances(grid);
+  const double to_units = grid.resolution / (ChamferBand::kScale * WallFields::unit);
   int measured = 0;  // The first row of the grid that is not.
   for (int y = 0; y < fields.height; ++y) {
     const int row = gridIndex(fields.origin.y(), y, fields, grid);
@@ -208,13 +210,13 @@ void fillDepth(const StateGrid& grid, WallFields& fields) {
       measured = row + band;
       distances.measure(std::max(row - margin, 0), std::min(measured + margin, grid.height));
     }
+    const std::uint16_t* grid_row = distances.row(row);
     std::uint8_t* field_row =
         fields.free_depth.data() + static_cast<size_t>(y) * static_cast<size_t>(fields.width);
     for (int x = 0; x < fields.width; ++x) {
       const int column = columns[static_cast<size_t>(x)];
       if (column >= 0 && column < grid.width) {
-        const double metres = distances.at(column, row) * grid.resolution;
-        field_row[x] = static_cast<std::uint8_t>(std::min(255.0, metres / WallFields::unit + 0.5));
+        field_row[x] = static_cast<std::uint8_t>(std::min(255.0, grid_row[column] * to_units + 0.5));
       }
     }
   }
