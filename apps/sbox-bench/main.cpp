@@ -17,13 +17,13 @@
 #include "sbox-bench/calibration.h"
 #include "sbox-bench/cross_validation.h"
 #include "sbox-bench/fit_verdict.h"
-#include "sbox-bench/io_floor.h"
 #include "sbox-bench/method_list.h"
 #include "sbox-bench/overlay_picture.h"
 #include "sbox-bench/refinement_table.h"
 #include "sbox-bench/run_method.h"
 #include "sbox-bench/score_table.h"
 #include "sbox-bench/set_score.h"
+#include "sbox-bench/whole_command.h"
 #include "sbox-bench/write_answers.h"
 #include "sbox/verification/verdict.h"
 
@@ -75,8 +75,10 @@ void addOptions(CLI::App& app, Arguments& arguments) {
                  "Write a picture of each refused pair that has a truth into this folder");
   app.add_flag("--no-seconds", arguments.no_seconds,
                "Leave times out of these files, so that two runs compare byte by byte");
-  app.add_flag("--ratios", arguments.ratios,
-               "Also time load, save and draw alone, and print times as ratios to them");
+  app.add_flag(
+      "--ratios", arguments.ratios,
+      "Also time loading, fusing, saving and drawing, and print times as ratios to load, save\n"
+      "and draw");
   app.add_flag("--fit-verdict", arguments.fit_verdict,
                "Fit the weights of the default method's verdict to the pairs and cross-validate");
   app.add_option("--weights", arguments.weights,
@@ -187,12 +189,6 @@ void run(const Arguments& arguments) {
     print(refinementTable(folders, arguments.run.threads), arguments.markdown);
     return;
   }
-  std::vector<std::vector<FloorSeconds>> floors;
-  if (arguments.ratios) {
-    for (const LoadedFolder& folder : folders) {
-      floors.push_back(measureFloor(folder, arguments.run.repeat));
-    }
-  }
   std::vector<MethodRun> runs;
   for (const Method& method : methods) {
     MethodRun method_run{method.name, {}};
@@ -201,7 +197,7 @@ void run(const Arguments& arguments) {
     }
     printTables(method_run, arguments.markdown);
     if (arguments.ratios) {
-      print(ratioTable(method_run, floors), arguments.markdown);
+      print(ratioTable(method_run, arguments.run.repeat), arguments.markdown);
     }
     drawAnswers(method_run, Outcome::Wrong, arguments.wrong_folder);
     drawAnswers(method_run, Outcome::Refused, arguments.refused_folder);
