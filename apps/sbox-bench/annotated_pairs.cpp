@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "sbox-bench/write_answers.h"
+#include "sbox-bench/text_file.h"
 
 namespace sbox::bench {
 namespace {

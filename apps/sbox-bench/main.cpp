@@ -17,12 +17,14 @@
 #include "sbox-bench/calibration.h"
 #include "sbox-bench/cross_validation.h"
 #include "sbox-bench/fit_verdict.h"
+#include "sbox-bench/load_folder.h"
 #include "sbox-bench/method_list.h"
 #include "sbox-bench/overlay_picture.h"
 #include "sbox-bench/refinement_table.h"
 #include "sbox-bench/run_method.h"
 #include "sbox-bench/score_table.h"
 #include "sbox-bench/set_score.h"
+#include "sbox-bench/text_file.h"
 #include "sbox-bench/whole_command.h"
 #include "sbox-bench/write_answers.h"
 #include "sbox/verification/verdict.h"
@@ -35,6 +37,7 @@ struct Arguments {
   std::vector<std::string> folders;
   std::vector<std::string> methods;
   std::vector<std::string> variants;
+  PairChoice choice;
   RunOptions run;
   bool markdown = false;
   bool no_seconds = false;
@@ -57,9 +60,9 @@ void addOptions(CLI::App& app, Arguments& arguments) {
                  "Also run the default method with other options, section.key=value[,...] as\n"
                  "sbox-merge --dump-config names them: what a part is worth")
       ->type_name("SETTINGS");
-  app.add_option("--only", arguments.run.only,
+  app.add_option("--only", arguments.choice.only,
                  "Only pairs whose \"folder group a b\" holds this text");
-  app.add_option("--every", arguments.run.every, "Only each N-th of them")
+  app.add_option("--every", arguments.choice.every, "Only each N-th of them")
       ->check(CLI::Range(1, sbox::app::kMost));
   app.add_option("--threads", arguments.run.threads,
                  "Maps and pairs in parallel, 0: one a core (default 1)")
@@ -179,7 +182,7 @@ void run(const Arguments& arguments) {
   const std::vector<Method> methods = chosenMethods(arguments);
   std::vector<LoadedFolder> folders;
   for (const std::string& folder : arguments.folders) {
-    folders.push_back(loadFolder(readPairFolder(folder), arguments.run));
+    folders.push_back(loadFolder(readPairFolder(folder), arguments.choice, arguments.run.threads));
   }
   if (arguments.fit_verdict) {
     printFit(folders, arguments);

@@ -3,14 +3,12 @@
 #include "sbox-bench/run_method.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "sbox-bench/progress_bar.h"
 #include "sbox-bench/statistics.h"
 #include "sbox/core/parallel.h"
 #include "sbox/core/stopwatch.h"
-#include "sbox/io/load_map.h"
 
 namespace sbox::bench {
 namespace {
@@ -85,40 +83,6 @@ Answer answerPair(const Method& method, const AnnotatedPair& pair, double resolu
 }
 
 }  // namespace
-
-LoadedFolder loadFolder(PairFolder folder, const RunOptions& options) {
-  LoadedFolder loaded;
-  std::vector<AnnotatedPair> chosen;
-  int seen = 0;
-  for (AnnotatedPair& pair : folder.pairs) {
-    const std::string text = folder.name + " " + pair.group + " " + pair.a + " " + pair.b;
-    if (text.find(options.only) != std::string::npos && seen++ % options.every == 0) {
-      chosen.push_back(std::move(pair));
-    }
-  }
-  folder.pairs = std::move(chosen);
-
-  std::map<std::string, int> index_of;
-  std::vector<std::string> names;
-  const auto indexOf = [&](const std::string& name) {
-    const auto [place, is_new] = index_of.try_emplace(name, static_cast<int>(names.size()));
-    if (is_new) {
-      names.push_back(name);
-    }
-    return place->second;
-  };
-  for (const AnnotatedPair& pair : folder.pairs) {
-    const int a = indexOf(pair.a);
-    loaded.map_of_pair.emplace_back(a, indexOf(pair.b));
-  }
-  loaded.maps.resize(names.size());
-  parallelFor(static_cast<int>(names.size()), options.threads, [&](int i) {
-    const auto k = static_cast<size_t>(i);
-    loaded.maps[k] = loadMap(findMapFile(folder.path, names[k]));
-  });
-  loaded.folder = std::move(folder);
-  return loaded;
-}
 
 std::vector<Answer> runMethod(const Method& method, const LoadedFolder& loaded,
                               const RunOptions& options) {

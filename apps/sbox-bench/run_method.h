@@ -5,35 +5,21 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "sbox-bench/annotated_pairs.h"
 #include "sbox-bench/judge.h"
+#include "sbox-bench/load_folder.h"
 #include "sbox-bench/method.h"
 #include "sbox-bench/normalised_error.h"
-#include "sbox/core/map.h"
 #include "sbox/core/pair_result.h"
 
 namespace sbox::bench {
 
-/// Which pairs to run and how.
+/// How to run a method.
 struct RunOptions {
-  std::string only;  ///< Keep the pairs whose "folder group a b" holds this text.
-  int every = 1;     ///< Then keep each N-th.
-  int threads = 1;   ///< Maps and pairs in parallel; 0: one a core. Answers do not depend on it.
-  int repeat = 1;    ///< Runs of each stage, for its time.
+  int threads = 1;  ///< Maps and pairs in parallel; 0: one a core. Answers do not depend on it.
+  int repeat = 1;   ///< Runs of each stage, for its time.
 };
-
-/// The pairs to run with their maps in memory.
-struct LoadedFolder {
-  PairFolder folder;                             ///< With the chosen pairs only.
-  std::vector<Map> maps;                         ///< Each map once.
-  std::vector<std::pair<int, int>> map_of_pair;  ///< Indices of a and b in `maps`.
-};
-
-/// Keeps the pairs that the options ask for and loads their maps.
-[[nodiscard]] LoadedFolder loadFolder(PairFolder folder, const RunOptions& options);
 
 /// Wall time of each stage for one pair, in seconds.
 struct AnswerSeconds {
@@ -61,6 +47,6 @@ struct Answer {
 
 /// The answers of one method, pair by pair in the folder's order.
 [[nodiscard]] std::vector<Answer> runMethod(const Method& method, const LoadedFolder& loaded,
-                                            const RunOptions& options);
+                                            const RunOptions& options = {});
 
 }  // namespace sbox::bench

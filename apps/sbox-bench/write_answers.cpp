@@ -109,13 +109,4 @@ std::string answersJson(const std::vector<MethodRun>& runs, bool with_seconds) {
   return document.dump(1) + "\n";
 }
 
-void writeText(const std::string& path, const std::string& text) {
-  std::ofstream out(path, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) {
-    throw std::runtime_error(path + ": cannot be written");
-  }
-}
-
 }  // namespace sbox::bench

@@ -17,7 +17,4 @@ namespace sbox::bench {
 /// Every answer of every run with its judgement, as a JSON document.
 [[nodiscard]] std::string answersJson(const std::vector<MethodRun>& runs, bool with_seconds);
 
-/// Writes text to a file. Throws std::runtime_error with "PATH: reason".
-void writeText(const std::string& path, const std::string& text);
-
 }  // namespace sbox::bench

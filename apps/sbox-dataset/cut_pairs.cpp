@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "sbox-bench/judge.h"
-#include "sbox-bench/run_method.h"
+#include "sbox-bench/load_folder.h"
 #include "sbox-dataset/output_folder.h"
 #include "sbox/core/principal_axes.h"
 #include "sbox/core/rigid_fit.h"
@@ -138,7 +138,7 @@ CutPair cutPair(const Map& a, const Map& b, const bench::AnnotatedPair& pair, do
 }
 
 void cutPairs(const std::string& from, const std::string& to, const CutOptions& options) {
-  bench::LoadedFolder loaded = bench::loadFolder(bench::readPairFolder(from), {});
+  bench::LoadedFolder loaded = bench::loadFolder(bench::readPairFolder(from));
   makeFolder(to);
   std::vector<bench::AnnotatedPair> all;
   for (size_t i = 0; i < loaded.map_of_pair.size(); ++i) {

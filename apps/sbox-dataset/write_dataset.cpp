@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "sbox-bench/write_answers.h"
+#include "sbox-bench/text_file.h"
 #include "sbox-dataset/output_folder.h"
 #include "sbox-dataset/truth.h"
 #include "sbox/io/save_map.h"

@@ -8,6 +8,8 @@
 #include "catch.h"
 #include "sbox-bench/run_method.h"
 #include "sbox-bench/score_table.h"
+#include "sbox-bench/text_file.h"
+#include "sbox-bench/whole_command.h"
 #include "sbox-bench/write_answers.h"
 #include "sbox/io/save_map.h"
 #include "test_folder.h"
@@ -36,8 +38,8 @@ class Example {
     folder_.write("pairs.json", nlohmann::json{{"resolution", 0.05}, {"pairs", pairs}}.dump());
   }
 
-  [[nodiscard]] LoadedFolder load(const RunOptions& options = {}) const {
-    return loadFolder(readPairFolder(folder_.path()), options);
+  [[nodiscard]] LoadedFolder load(const PairChoice& choice = {}) const {
+    return loadFolder(readPairFolder(folder_.path()), choice);
   }
   [[nodiscard]] std::string file(const std::string& name) const { return folder_.path(name); }
 
@@ -89,7 +91,7 @@ TEST_CASE("answers are judged through the maps' own corners", "[bench][run_metho
   REQUIRE(loaded.folder.pairs.size() == 6);
   REQUIRE(loaded.maps.size() == 4);
   // Pairs 01 02 03 12 13 23; wrong poses into map 3.
-  const std::vector<Answer> answers = runMethod(fakeMethod(3), loaded, {});
+  const std::vector<Answer> answers = runMethod(fakeMethod(3), loaded);
   const Outcome expected[] = {Outcome::Right, Outcome::Right, Outcome::Refused,
                               Outcome::Right, Outcome::Wrong, Outcome::Wrong};
   for (size_t i = 0; i < answers.size(); ++i) {
@@ -134,20 +136,37 @@ TEST_CASE("neither threads nor repeats change what is written", "[bench][run_met
 
 TEST_CASE("pairs are chosen by text, then by number", "[bench][run_method]") {
   const Example example;
-  RunOptions options;
-  options.only = " rest ";
-  options.every = 2;
-  const LoadedFolder loaded = example.load(options);
+  const LoadedFolder loaded = example.load({" rest ", 2});
   REQUIRE(loaded.folder.pairs.size() == 2);
   CHECK(loaded.folder.pairs[0].a + loaded.folder.pairs[0].b == "12");
   CHECK(loaded.folder.pairs[1].a + loaded.folder.pairs[1].b == "23");
   CHECK(loaded.maps.size() == 3);
 }
 
+TEST_CASE("times are told as ratios to loading, saving and drawing", "[bench][whole_command]") {
+  const Example example;
+  const auto ratios = [&](const std::string& only) {
+    const LoadedFolder loaded = example.load({only, 1});
+    const MethodRun run{"fake", {{&loaded, runMethod(fakeMethod(9), loaded)}}};
+    return ratioTable(run, 1).rows;
+  };
+  const auto merged = ratios("0 1");
+  REQUIRE(merged.size() == 8);
+  const auto ratio = [&](size_t row) { return std::stod(merged[row][3]); };
+  // Numbers are rounded to a hundredth.
+  CHECK(ratio(0) + ratio(1) + ratio(2) == Approx(1).margin(0.016));
+  CHECK(merged[6][0] == "all of these");
+  CHECK(ratio(6) == Approx(1 + ratio(3) + ratio(4) + ratio(5)).margin(0.021));
+  // Of what is refused no map is written.
+  for (const auto& row : ratios("0 3")) {
+    CHECK(row[3] == "-");
+  }
+}
+
 TEST_CASE("answer lines carry the transform between corners", "[bench][run_method]") {
   const Example example;
   const LoadedFolder loaded = example.load();
-  const MethodRun run{"fake", {{&loaded, runMethod(fakeMethod(9), loaded, {})}}};
+  const MethodRun run{"fake", {{&loaded, runMethod(fakeMethod(9), loaded)}}};
   std::istringstream lines(answerLines(run, true));
   std::string line;
   for (const AnnotatedPair& pair : loaded.folder.pairs) {

@@ -117,10 +117,9 @@ TEST_CASE("random offices are merged, and maps of different offices are not", "[
 
 TEST_CASE("the shipped maps are merged where they share enough", "[accuracy]") {
   for (const std::string name : {"office", "sena"}) {
-    const bench::RunOptions run;
     const bench::LoadedFolder loaded =
-        bench::loadFolder(bench::readPairFolder(kDatasets + "/" + name), run);
-    for (const bench::Answer& answer : bench::runMethod(defaultMethod(), loaded, run)) {
+        bench::loadFolder(bench::readPairFolder(kDatasets + "/" + name));
+    for (const bench::Answer& answer : bench::runMethod(defaultMethod(), loaded)) {
       INFO(name << ": " << answer.result.reason);
       CHECK(answer.outcome == bench::Outcome::Right);
     }

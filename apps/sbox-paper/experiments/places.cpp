@@ -44,10 +44,9 @@ PlaceAnswer simulated(const PlacesOptions& options, const Place& place, std::uin
 
 /// The pairs of a folder with a pairs.json.
 std::vector<PlaceAnswer> fromFiles(const std::string& folder, const std::string& name, bool real) {
-  const bench::RunOptions run;
-  const bench::LoadedFolder loaded = bench::loadFolder(bench::readPairFolder(folder), run);
-  const auto answers = bench::runMethod(defaultMethod(), loaded, run);
-  const auto papers = bench::runMethod(bench::methodByName("paper"), loaded, run);
+  const bench::LoadedFolder loaded = bench::loadFolder(bench::readPairFolder(folder));
+  const auto answers = bench::runMethod(defaultMethod(), loaded);
+  const auto papers = bench::runMethod(bench::methodByName("paper"), loaded);
   std::vector<PlaceAnswer> results;
   for (size_t i = 0; i < answers.size(); ++i) {
     PlaceAnswer& result = results.emplace_back();
