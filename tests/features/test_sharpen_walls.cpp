@@ -48,7 +48,8 @@ std::optional<double> edgeOf(const StateGrid& cells, const Vector2d& base, const
   const double reach = SharpenOptions().reach, step = cells.resolution / 4;
   bool was_free = false;
   for (double offset = reach; offset >= -reach; offset -= step) {
-    const Vector2d cell = (base + offset * normal) / cells.resolution;
+    // Rounded as there: on the edge of a cell that decides.
+    const Vector2d cell = base / cells.resolution + offset / cells.resolution * normal;
     const bool is_free = cells.at(static_cast<int>(std::floor(cell.x())),
                                   static_cast<int>(std::floor(cell.y()))) == CellState::Free;
     if (was_free && !is_free) {

@@ -93,13 +93,9 @@ class EdgeFinder {
       const size_t next = std::min(step + kStepsPerCell, steps_.size() - 1);
       const Cell next_cell = cell_at(next);
       const bool next_free = free_at(next_cell);
-      bool is_between = was_free && !next_free;
-      if (was_free == next_free && next_cell.x != cell.x && next_cell.y != cell.y) {
-        // The way from cell to cell may touch one of two others.
-        is_between = free_at({next_cell.x, cell.y}) != was_free ||
-                     free_at({cell.x, next_cell.y}) != was_free;
-      }
-      if (is_between) {
+      // Of one cell, or of two that share a side, there is no third in between.
+      const bool no_other = std::abs(next_cell.x - cell.x) + std::abs(next_cell.y - cell.y) <= 1;
+      if (!no_other || (was_free && !next_free)) {
         for (size_t i = step + 1; i <= next; ++i) {
           const bool is_free = free_at(cell_at(i));
           if (was_free && !is_free) {
