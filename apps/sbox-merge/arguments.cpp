@@ -22,8 +22,9 @@ namespace {
 
 constexpr const char* description =
     "Joins the 2D occupancy grid maps of several robots into one.\n"
-    "Maps: .gridmap[.gz], .simplemap[.gz] (MRPT), .yaml (ROS, with its image), .png or .pgm\n"
-    "with --resolution. Robots' logs: .rawlog[.gz] (MRPT), mapped by SLAM first.";
+    "Maps: .gridmap[.gz], .simplemap[.gz] (MRPT), .yaml (ROS, with its image); .png, .pgm,\n"
+    ".bmp, .jpg or .tif with --resolution. Robots' logs: .rawlog[.gz] (MRPT), mapped by SLAM "
+    "first.";
 
 constexpr const char* footer =
     "Exit codes: 0 every map is part of the merged map, or --pairs wrote its share; 1 an input or\n"
@@ -168,6 +169,10 @@ PairShare shareFrom(const std::string& text) {
   return share;
 }
 
+[[noreturn]] void throwNothingToWrite(const std::string& file) {
+  throw UsageError("--pairs merges nothing, so that there is no " + file + " to write");
+}
+
 void checkShare(const Arguments& arguments) {
   if (static_cast<size_t>(arguments.share->count) > arguments.inputs.size()) {
     throw UsageError("--pairs takes no more shares than maps, " +
@@ -189,7 +194,7 @@ void checkShare(const Arguments& arguments) {
   for (const std::string& file :
        {arguments.html, arguments.pictures, arguments.tf, arguments.graph, arguments.simplemap}) {
     if (!file.empty()) {
-      throw UsageError("--pairs merges nothing, so that there is no " + file + " to write");
+      throwNothingToWrite(file);
     }
   }
 }
@@ -265,6 +270,11 @@ std::optional<Arguments> parseArguments(int argc, const char* const* argv) {
     throw UsageError(firstLine(error.what()));
   }
   checkValues(app);
+  for (const std::string& file : {texts.config, texts.initial, texts.slam_config}) {
+    if (!file.empty()) {
+      arguments.settings.push_back(file);
+    }
+  }
   if (!texts.config.empty()) {
     loadConfig(texts.config, arguments.merge);
   }
@@ -284,6 +294,9 @@ std::optional<Arguments> parseArguments(int argc, const char* const* argv) {
   if (!arguments.dump_config) {
     if (!texts.pairs.empty()) {
       arguments.share = shareFrom(texts.pairs);
+      if (app.count("--out") > 0) {
+        throwNothingToWrite(arguments.output);
+      }
     }
     check(arguments);
     if (!texts.initial.empty()) {

@@ -18,18 +18,19 @@ struct Arguments {
   std::vector<std::string> command_line;  ///< As it was given, the name first.
   std::vector<std::string> inputs;
   std::string output = "merged.gridmap";
-  std::string simplemap;             ///< Of all key frames; empty: none.
-  std::string report;                ///< Empty: none.
-  std::string pictures;              ///< Folder; empty: none.
-  std::string html;                  ///< Empty: none.
-  std::string tf;                    ///< Empty: none.
-  std::string graph;                 ///< Empty: none.
-  std::optional<PairShare> share;    ///< Match only these pairs and write them as the report.
-  std::vector<std::string> joined;   ///< Reports of all shares, instead of matching.
-  std::optional<double> resolution;  ///< Of plain images, metres a cell.
-  MergeOptions merge;                ///< With what --config and the other options say.
-  SlamOptions slam;                  ///< For rawlogs.
-  bool fuse_observations = false;    ///< Make the merged map anew of all scans.
+  std::string simplemap;              ///< Of all key frames; empty: none.
+  std::string report;                 ///< Empty: none.
+  std::string pictures;               ///< Folder; empty: none.
+  std::string html;                   ///< Empty: none.
+  std::string tf;                     ///< Empty: none.
+  std::string graph;                  ///< Empty: none.
+  std::optional<PairShare> share;     ///< Match only these pairs and write them as the report.
+  std::vector<std::string> joined;    ///< Reports of all shares, instead of matching.
+  std::vector<std::string> settings;  ///< Files of --config, --initial and --slam-config.
+  std::optional<double> resolution;   ///< Of plain images, metres a cell.
+  MergeOptions merge;                 ///< With what --config and the other options say.
+  SlamOptions slam;                   ///< For rawlogs.
+  bool fuse_observations = false;     ///< Make the merged map anew of all scans.
   bool dump_config = false;
   bool verbose = false;
   bool quiet = false;

@@ -9,6 +9,7 @@
 #include "sbox/core/parallel.h"
 #include "sbox/core/stopwatch.h"
 #include "sbox/io/file_error.h"
+#include "sbox/io/load_map.h"
 #include "sbox/io/output_files.h"
 #include "sbox/io/path_extension.h"
 #include "sbox/io/save_map.h"
@@ -23,6 +24,23 @@
 namespace sbox::app {
 namespace fs = std::filesystem;
 namespace {
+
+/// An output in the place of a file that is read would destroy what cannot be had again.
+void protectInputs(const Arguments& arguments, OutputFiles& files) {
+  const std::string advice = "; name another output";
+  for (const std::string& input : arguments.inputs) {
+    for (const std::string& file : filesRead(input)) {
+      files.protect(
+          file, (file == input ? "is an input" : "is the image of the input " + input) + advice);
+    }
+  }
+  for (const std::string& file : arguments.joined) {
+    files.protect(file, "is an input of --join" + advice);
+  }
+  for (const std::string& file : arguments.settings) {
+    files.protect(file, "is a file of settings that is read" + advice);
+  }
+}
 
 std::string tfText(const MergeResult& result, const std::string& file) {
   const std::string extension = pathExtension(file);
@@ -125,6 +143,7 @@ class NewFolder {
 
 void checkOutputs(const Arguments& arguments) {
   OutputFiles trial;
+  protectInputs(arguments, trial);
   if (arguments.share) {
     (void)trial.stage(arguments.report);
     return;
@@ -166,6 +185,7 @@ std::vector<std::string> writeOutputs(const Inputs& inputs,
     folder.emplace(arguments.pictures);
   }
   OutputFiles files;
+  protectInputs(arguments, files);
   stageMergedMaps(files, map_files, arguments, result, tell);
   stageSlamMaps(files, inputs, arguments);
   if (!arguments.simplemap.empty()) {

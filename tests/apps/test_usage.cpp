@@ -98,6 +98,8 @@ TEST_CASE("wrong usage ends in 2 and says what is wrong") {
   checkFailure(folder, {"--in", "a.gridmap", "b.rawlog", "--pairs", "1/2", "--report", "r.json"}, 2,
                "--pairs takes maps, not logs: map b.rawlog first, then give its .simplemap");
   checkFailure(folder, with({"--pairs", "1/2"}), 2, "--pairs needs a --report to write to");
+  checkFailure(folder, with({"--pairs", "1/2", "--report", "r.json", "--out", "m.yaml"}), 2,
+               "--pairs merges nothing, so that there is no m.yaml to write");
   checkFailure(folder, with({"--pairs", "1/2", "--report", "r.json", "--html", "p.html"}), 2,
                "--pairs merges nothing, so that there is no p.html to write");
   checkFailure(folder, with({"--pairs", "1/2", "--report", "r.json", "--join", "a.json"}), 2,
@@ -169,6 +171,26 @@ TEST_CASE("an output that cannot be written ends in 1 and leaves the others unwr
   // Outputs are looked at first, the image of a .yaml among them.
   fs::create_directory(folder / "m.pgm");
   checkFailure(folder, {"--in", "a.gridmap", "none.gridmap", "--out", "m.yaml"}, 1, "m.pgm: ");
+}
+
+TEST_CASE("an output in the place of what is read ends in 1") {
+  const ScratchFolder folder;
+  saveMap(office("a", 1), folder / "a.yaml");  // With a.pgm.
+  saveMap(office("a", 1), folder / "b.gridmap");
+  write(folder / "c.ini", "[fusion]\n");
+  const Words in{"--in", "a.yaml", "./b.gridmap"};
+  const auto with = [&](const Words& more) {
+    Words all = in;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  checkFailure(folder, with({"--out", "b.gridmap"}), 1, "b.gridmap: is an input");
+  checkFailure(folder, with({"--out", "a.gridmap", "--report", "a.pgm"}), 1,
+               "a.pgm: is the image of the input a.yaml");
+  checkFailure(folder, with({"--report", "../" + folder.path().filename().string() + "/a.yaml"}), 1,
+               "a.yaml: is an input");
+  checkFailure(folder, with({"--config", "c.ini", "--tf", "c.ini"}), 1,
+               "c.ini: is a file of settings");
 }
 
 TEST_CASE("a folder without the right to write ends in 1") {

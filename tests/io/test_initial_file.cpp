@@ -41,6 +41,7 @@ TEST_CASE("rough poses are read from lines, angles in degrees") {
   CHECK(guesses[0].sigma_phi == Approx(10 * M_PI / 180));
   CHECK(guesses[1].map == 1);
   CHECK(load("\n").empty());
+  CHECK(load("./maps/../other/one.yaml 0 0 0 1 1").at(0).map == 2);
 }
 
 TEST_CASE("bad files of rough poses are refused with the line") {

@@ -48,6 +48,25 @@ TEST_CASE("nothing stays of what was not committed", "[output_files]") {
   CHECK(folder.read("b.txt") == "old");
 }
 
+TEST_CASE("a protected file is refused, whatever it is called") {
+  const ScratchFolder folder;
+  folder.write("a.txt", "old");
+  std::filesystem::create_symlink("a.txt", folder.path("link.txt"));
+  OutputFiles files;
+  files.protect(folder.path("a.txt"), "is read");
+  files.protect(folder.path("none.txt"), "is not there");
+  for (const char* name : {"a.txt", "./a.txt", "link.txt"}) {
+    std::string reason;
+    try {
+      files.stage(folder.path(name));
+    } catch (const FileError& error) {
+      reason = error.reason();
+    }
+    CHECK(reason == "is read");
+  }
+  CHECK_NOTHROW(files.stage(folder.path("none.txt")));
+}
+
 TEST_CASE("a temporary file keeps the extension of its target", "[output_files]") {
   const ScratchFolder folder;
   OutputFiles files;

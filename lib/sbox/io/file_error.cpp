@@ -2,20 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/io/file_error.h"
 
-#include <algorithm>
+#include "sbox/core/one_line.h"
 
 namespace sbox {
-namespace {
-
-/// File names and file contents may hold line breaks; an error message may not.
-std::string oneLine(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(),
-      [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; }, '?');
-  return text;
-}
-
-}  // namespace
 
 FileError::FileError(const std::string& path, const std::string& reason)
     : std::runtime_error(oneLine(path + ": " + reason)), path_(path), reason_(reason) {}

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <sstream>
 
@@ -28,8 +29,15 @@ std::string takeLastWord(std::string& line) {
   return word;
 }
 
+std::string spelling(const std::string& path) {
+  return std::filesystem::path(path).lexically_normal().string();
+}
+
 /// The input that a name means.
-int mapNamed(const std::string& name, const std::vector<std::string>& names) {
+int mapNamed(const std::string& given_name, const std::vector<std::string>& given_names) {
+  const std::string name = spelling(given_name);
+  std::vector<std::string> names(given_names.size());
+  std::transform(given_names.begin(), given_names.end(), names.begin(), spelling);
   const auto exact = std::find(names.begin(), names.end(), name);
   if (exact != names.end()) {
     if (std::count(exact, names.end(), name) > 1) {

@@ -10,6 +10,7 @@
 #include "sbox/io/gridmap_file.h"
 #include "sbox/io/path_extension.h"
 #include "sbox/io/ros_map_file.h"
+#include "sbox/io/ros_yaml.h"
 #include "sbox/io/simplemap_file.h"
 #include "sbox/mapping/map_key_frames.h"
 
@@ -26,6 +27,8 @@ Map loadSimplemap(const std::string& path) {
   }
 }
 
+bool isYaml(const std::string& extension) { return extension == ".yaml" || extension == ".yml"; }
+
 }  // namespace
 
 Map loadMap(const std::string& path, const LoadOptions& options) {
@@ -37,7 +40,7 @@ Map loadMap(const std::string& path, const LoadOptions& options) {
     if (extension == ".simplemap" || extension == ".simplemap.gz") {
       return loadSimplemap(path);
     }
-    if (extension == ".yaml" || extension == ".yml") {
+    if (isYaml(extension)) {
       return loadRosMap(path);
     }
     if (isImagePath(path)) {
@@ -53,6 +56,17 @@ Map loadMap(const std::string& path, const LoadOptions& options) {
   throw FileError(path,
                   "is no map by its name: .gridmap[.gz], .simplemap[.gz], .yaml or an image (.png, "
                   ".pgm, .bmp, .jpg, .tif) can be read");
+}
+
+std::vector<std::string> filesRead(const std::string& path) {
+  std::vector<std::string> files{path};
+  if (isYaml(pathExtension(path))) {
+    try {
+      files.push_back(rosImagePath(path, loadRosYaml(path)));
+    } catch (const FileError&) {
+    }
+  }
+  return files;
 }
 
 }  // namespace sbox

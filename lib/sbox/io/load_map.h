@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sbox/core/map.h"
 
@@ -22,5 +23,9 @@ struct LoadOptions {
 /// as given. Throws FileError if the file cannot be used; the memory taken is bounded by what the
 /// file really holds, but for simplemaps, which MRPT reads.
 [[nodiscard]] Map loadMap(const std::string& path, const LoadOptions& options = {});
+
+/// The files that loadMap reads for this path: itself, and the image that a .yaml names. A .yaml
+/// that cannot be read names none.
+[[nodiscard]] std::vector<std::string> filesRead(const std::string& path);
 
 }  // namespace sbox

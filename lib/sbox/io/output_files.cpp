@@ -18,6 +18,8 @@ namespace sbox {
 namespace fs = std::filesystem;
 namespace {
 
+constexpr const char* kNotRegular = "cannot be written: it is not a regular file";
+
 std::string errorText(int error) { return std::strerror(error); }
 
 /// Where the file will really lie, with links resolved and the folder written out, so that two
@@ -26,7 +28,11 @@ fs::path resolve(const std::string& target) {
   std::error_code error;
   fs::path path = target;
   if (fs::is_symlink(path, error)) {
+    const bool is_special = fs::exists(path, error) && fs::is_other(path, error);
     path = fs::canonical(path, error);
+    if (is_special) {
+      throw FileError(target, kNotRegular);
+    }
     if (error) {
       throw FileError(target, "cannot be written: it is a symbolic link to nowhere");
     }
@@ -49,7 +55,7 @@ void checkReplaceable(const std::string& given, const fs::path& target) {
     return;
   }
   if (!fs::is_regular_file(status)) {
-    throw FileError(given, "cannot be written: it is not a regular file");
+    throw FileError(given, kNotRegular);
   }
   if (access(target.c_str(), W_OK) != 0) {
     throw FileError(given, "cannot be written: " + errorText(errno));
@@ -60,10 +66,24 @@ void checkReplaceable(const std::string& given, const fs::path& target) {
 
 OutputFiles::~OutputFiles() { discard(); }
 
+void OutputFiles::protect(const std::string& path, const std::string& reason) {
+  std::error_code error;
+  const fs::path real = fs::canonical(path, error);
+  if (!error) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    protected_.push_back({real.string(), reason});
+  }
+}
+
 std::string OutputFiles::stage(const std::string& target) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const fs::path path = resolve(target);
   checkReplaceable(target, path);
+  const auto kept = std::find_if(protected_.begin(), protected_.end(),
+                                 [&](const Protected& other) { return other.path == path; });
+  if (kept != protected_.end()) {
+    throw FileError(target, kept->reason);
+  }
   if (std::any_of(staged_.begin(), staged_.end(),
                   [&](const Staged& other) { return other.target == path; })) {
     throw FileError(target, "is named for two outputs at once");

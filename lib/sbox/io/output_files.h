@@ -27,9 +27,13 @@ class OutputFiles {
   OutputFiles& operator=(const OutputFiles&) = delete;
   ~OutputFiles();
 
+  /// From here on stage() refuses this file, with the reason: it is read, and would be lost.
+  void protect(const std::string& path, const std::string& reason);
+
   /// Makes an empty file beside `target`, with the same extension, and returns its path. Throws
   /// FileError naming the target if its folder is missing or cannot be written, if there is
-  /// something else than a writable regular file in its place, or if it has been staged before.
+  /// something else than a writable regular file in its place, or if it is protected or has been
+  /// staged before.
   /// A symbolic link is followed.
   std::string stage(const std::string& target);
 
@@ -67,7 +71,13 @@ class OutputFiles {
     std::string given;  ///< The target as the caller named it.
   };
 
+  struct Protected {
+    std::string path;
+    std::string reason;
+  };
+
   std::mutex mutex_;
+  std::vector<Protected> protected_;
   std::vector<Staged> staged_;
 };
 

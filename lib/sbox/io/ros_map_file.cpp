@@ -3,7 +3,6 @@
 #include "sbox/io/ros_map_file.h"
 
 #include <algorithm>
-#include <filesystem>
 
 #include "sbox/core/state_limits.h"
 #include "sbox/io/file_error.h"
@@ -32,7 +31,7 @@ void fillCells(const Image& image, const RosShading& shading, Map& map) {
 
 Map loadRosMap(const std::string& path) {
   const RosYaml yaml = loadRosYaml(path);
-  const std::string image_path = (std::filesystem::path(path).parent_path() / yaml.image).string();
+  const std::string image_path = rosImagePath(path, yaml);
   Image image;
   try {
     image = loadImage(image_path);

@@ -3,6 +3,8 @@
 #include "sbox/io/ros_yaml.h"
 
 #include <array>
+#include <cmath>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -136,9 +138,16 @@ RosYaml loadRosYaml(const std::string& path) {
   yaml.resolution = values.number("resolution", values.requiredText("resolution"));
   checkResolution(path, yaml.resolution);
   yaml.origin = values.pose("origin");
+  if (std::abs(yaml.origin.phi) > 2 * M_PI) {
+    values.fail("origin", "has a yaw beyond a full turn; it is in radians");
+  }
   checkCorner(path, yaml.origin);
   yaml.shading = readShading(values);
   return yaml;
+}
+
+std::string rosImagePath(const std::string& path, const RosYaml& yaml) {
+  return (std::filesystem::path(path).parent_path() / yaml.image).string();
 }
 
 std::string rosYamlText(const RosYaml& yaml) {

@@ -21,6 +21,9 @@ struct RosYaml {
 /// thresholds have ROS's defaults; other keys are skipped. Throws FileError.
 [[nodiscard]] RosYaml loadRosYaml(const std::string& path);
 
+/// The path of the image that the .yaml at `path` names.
+[[nodiscard]] std::string rosImagePath(const std::string& path, const RosYaml& yaml);
+
 /// The text of such a file, numbers exact.
 [[nodiscard]] std::string rosYamlText(const RosYaml& yaml);
 

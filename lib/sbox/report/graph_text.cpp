@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "sbox/core/number_text.h"
+#include "sbox/core/one_line.h"
 #include "sbox/core/pose_errors.h"
 
 namespace sbox {
@@ -12,13 +13,6 @@ namespace {
 
 std::string poseNumbers(const Pose2D& pose) {
   return " " + numberText(pose.x) + " " + numberText(pose.y) + " " + numberText(pose.phi);
-}
-
-/// A file name that cannot end its line.
-std::string commentText(std::string name) {
-  std::replace_if(
-      name.begin(), name.end(), [](char letter) { return letter == '\n' || letter == '\r'; }, '?');
-  return name;
 }
 
 std::string mapNumbers(const MapPair& pair) {
@@ -47,7 +41,7 @@ std::string graphText(const MergeResult& result, const MergedGroup& group) {
   std::string vertices, edges, comments;
   for (const int member : group.members) {
     const MapOutcome& map = result.maps[static_cast<size_t>(member)];
-    comments += "# " + std::to_string(member) + ": " + commentText(map.name) + "\n";
+    comments += "# " + std::to_string(member) + ": " + oneLine(map.name) + "\n";
     vertices += "VERTEX2 " + std::to_string(member) + poseNumbers(map.placement.pose) + "\n";
   }
   for (const MapPair& pair : result.pairs) {
