@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox-merge/run.h"
 
+#include <filesystem>
 #include <iostream>
 
 #include "sbox-merge/group_key_frames.h"
@@ -27,14 +28,39 @@ void tellDetails(const MergeResult& result, const GroupKeyFrames& key_frames) {
   }
 }
 
-void tellResult(const Arguments& arguments, const MergeResult& result,
-                const std::vector<std::string>& files) {
+/// Of the outputs that are only written where something was merged, those there are: what an
+/// earlier run made.
+std::vector<std::string> outputsOfEarlierRun(const Arguments& arguments) {
+  std::vector<std::string> there;
+  for (const std::string& file :
+       {arguments.output, arguments.simplemap, arguments.tf, arguments.graph}) {
+    std::error_code ignored;
+    if (!file.empty() && std::filesystem::exists(file, ignored)) {
+      there.push_back(file);
+    }
+  }
+  return there;
+}
+
+void tellWarnings(const Arguments& arguments, const MergeResult& result) {
+  std::vector<std::string> warnings = warningLines(result);
   const std::optional<int>& wanted = arguments.merge.reference;
   if (wanted && !result.merged.empty() && result.reference != *wanted) {
-    std::cerr << "sbox-merge: warning: " << arguments.inputs[static_cast<size_t>(*wanted)]
-              << " is not part of the merged map, which takes the frame of "
-              << arguments.inputs[static_cast<size_t>(result.reference)] << "\n";
+    warnings.push_back(arguments.inputs[static_cast<size_t>(*wanted)] +
+                       " is not part of the merged map, which takes the frame of " +
+                       arguments.inputs[static_cast<size_t>(result.reference)]);
   }
+  if (result.merged.empty()) {
+    for (const std::string& file : outputsOfEarlierRun(arguments)) {
+      warnings.push_back(file + " is that of an earlier run, as nothing was merged");
+    }
+  }
+  for (const std::string& warning : warnings) {
+    std::cerr << "sbox-merge: warning: " << warning << "\n";
+  }
+}
+
+void tellResult(const MergeResult& result, const std::vector<std::string>& files) {
   for (const std::string& line : summaryLines(result, files)) {
     std::cout << line << "\n";
   }
@@ -113,7 +139,8 @@ int run(const Arguments& arguments, const RunSlams& run_slams) {
     tellDetails(result, key_frames);
   }
   if (!arguments.quiet) {
-    tellResult(arguments, result, files);
+    tellWarnings(arguments, result);
+    tellResult(result, files);
   }
   constexpr int not_all_placed = 3;
   return result.status == MergeStatus::Merged ? 0 : not_all_placed;

@@ -136,6 +136,7 @@ MergeResult mergeMaps(const std::vector<Map>& maps, const MergeOptions& options,
   for (size_t i = 0; i < result.pairs.size(); ++i) {
     result.pairs[i].settlement = placed.settlements[i];
   }
+  result.overruled = placed.overruled;
   // Section 3.3: fusion.
   const Stopwatch fusion_stopwatch;
   result.merged = fuseGroups(maps, placed, options, progress);

@@ -65,7 +65,8 @@ struct MergeResult {
   std::vector<MapOutcome> maps;     ///< In the order of the input.
   std::vector<MapPair> pairs;       ///< All, ordered by a, then b.
   std::vector<MergedGroup> merged;  ///< The main group first; the others if all were asked for.
-  StageSeconds seconds;             ///< What it took.
+  std::vector<OverruledGuess> overruled;  ///< As PlacementResult::overruled.
+  StageSeconds seconds;                   ///< What it took.
 };
 
 }  // namespace sbox

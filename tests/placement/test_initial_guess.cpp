@@ -49,6 +49,13 @@ TEST_CASE("a wrong guess is overruled by maps that are sure") {
   const PlacementResult placed = place(pair, {{0, {}, 1, 0.1}, {1, {17, 0, 0}, 1, 0.1}});
   REQUIRE(placed.groups.size() == 1);
   CHECK(placed.maps[1].pose.x == Approx(5));
+  REQUIRE(placed.overruled.size() == 1);
+  CHECK(placed.overruled[0].map == 1);
+  CHECK(placed.overruled[0].beside == 0);
+  CHECK(placed.overruled[0].distance == Approx(12));
+  CHECK(placed.overruled[0].turn == Approx(0).margin(1e-9));
+  // What a guess allows is not against it.
+  CHECK(place(pair, {{0, {}, 1, 0.1}, {1, {9, 0, 0}, 1, 0.1}}).overruled.empty());
 }
 
 TEST_CASE("a guess that is far off makes a doubtful pair more doubtful, unless it is vague") {

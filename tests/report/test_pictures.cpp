@@ -71,9 +71,9 @@ TEST_CASE("two maps give features, boxes, overlay and the merged map") {
   result.merged[0].map = maps[0];
   const std::vector<Picture> pictures = drawPictures(maps, result, 2);
   CHECK(pictures.size() == 5);
-  CHECK(fileNames(pictures) == std::set<std::string>{"features_map.png", "features_map-2.png",
-                                                     "boxes_map_map-2.png", "overlay_map_map-2.png",
-                                                     "merged.png"});
+  CHECK(fileNames(pictures) == std::set<std::string>{"features_x_map.png", "features_y_map.png",
+                                                     "boxes_x_map_y_map.png",
+                                                     "overlay_x_map_y_map.png", "merged.png"});
   for (const Picture& picture : pictures) {
     const cv::Mat read = cv::imdecode(picture.png, cv::IMREAD_COLOR);
     INFO(picture.file_name);

@@ -67,8 +67,8 @@ TEST_CASE("the report holds what its contract names") {
   CHECK(report["status"] == "merged");
 
   const json& map = report["maps"][1];
-  CHECK(keys(map) == std::set<std::string>{"file", "placed", "group", "pose", "covariance", "cells",
-                                           "resolution", "features"});
+  CHECK(keys(map) == std::set<std::string>{"file", "placed", "group", "reference", "pose",
+                                           "covariance", "cells", "resolution", "features"});
   CHECK(map["file"] == "b.gridmap");
   CHECK(map["placed"] == true);
   CHECK(map["pose"] == json::parse(R"({"x": 1.25, "y": -0.5, "phi": 0.75})"));

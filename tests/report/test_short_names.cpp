@@ -17,8 +17,13 @@ TEST_CASE("short names are safe in file names") {
   CHECK(shortNames({std::string(300, 'x') + ".gridmap"})[0].size() == 60);
 }
 
-TEST_CASE("names that collide are numbered, also where they differ in case only") {
-  CHECK(shortNames({"r1/map.yaml", "r2/map.yaml", "r3/MAP.yaml"}) ==
-        Names{"map", "map-2", "MAP-3"});
+TEST_CASE("names that collide take their folder, also where they differ in case only") {
+  CHECK(shortNames({"a/r1/map.yaml", "./r2/map.png", "r3/MAP.yaml", "hall.yaml"}) ==
+        Names{"r1_map", "r2_map", "r3_MAP", "hall"});
+}
+
+TEST_CASE("names that collide still are numbered") {
+  CHECK(shortNames({"a/r/map.yaml", "b/r/map.yaml", "map.yaml", "../map.yaml"}) ==
+        Names{"r_map", "r_map-2", "map", "map-2"});
   CHECK(distinctNames({"m", "m-2", "m", "m"}) == Names{"m", "m-2", "m-3", "m-4"});
 }

@@ -69,6 +69,21 @@ TEST_CASE("two refused maps take one line with the best candidate") {
               "1.234 m, y -0.567 m, phi 12.34 deg, confidence 0.40)"});
 }
 
+TEST_CASE("an accepted pair that was not merged says why") {
+  MergeResult result = results({"a", "b"});
+  result.pairs = {pairOf(0, 1, Verdict::Accepted, 0.8)};
+  const std::string line = summaryLines(result, {}).at(0);
+  CHECK(line.find("; not taken: where the maps are said to lie, it is not") != std::string::npos);
+}
+
+TEST_CASE("maps that lie elsewhere than they were said to are warned of") {
+  MergeResult result = results({"a", "b"});
+  CHECK(warningLines(result).empty());
+  result.overruled = {{1, 0, 74.26, 1.36}};
+  CHECK(warningLines(result) ==
+        Lines{"b lies 74.3 m and 78 deg from where it was said to, beside a"});
+}
+
 TEST_CASE("of more maps each has its line") {
   MergeResult result = results({"a", "b", "c"});
   result.pairs = {pairOf(0, 1, Verdict::Accepted, 0.9), pairOf(0, 2, Verdict::Rejected, 0.1),

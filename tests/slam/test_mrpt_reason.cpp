@@ -15,6 +15,7 @@ TEST_CASE("MRPT's own text is cut down to what went wrong", "[mrpt_reason]") {
   } catch (const std::exception& error) {
     CHECK(mrptReason(error) == "no points map");
   }
+  CHECK(mrptReason(std::runtime_error("==== MRPT exception ====\nno map\nCall stack")) == "no map");
   CHECK(mrptReason(std::runtime_error("plain\nand more")) == "plain");
   CHECK(mrptReason(std::runtime_error("")) == "unknown error");
 }

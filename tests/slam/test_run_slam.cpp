@@ -117,7 +117,9 @@ TEST_CASE("what cannot be mapped says why in one line", "[run_slam]") {
         "has no odometry, which RBPF-SLAM needs: take --slam icp");
   SlamOptions nonsense;
   nonsense.settings = "[MappingApplication]\npointsMap_count = 0\n";
-  CHECK(contains(errorOf(stepsOfPairs(pairedLog()), nonsense), "cannot be mapped"));
+  CHECK(errorOf(stepsOfPairs(pairedLog()), nonsense) ==
+        "cannot be mapped with these SLAM settings: section [MappingApplication] names no map to "
+        "make");
 }
 
 TEST_CASE("settings that are given count", "[run_slam]") {

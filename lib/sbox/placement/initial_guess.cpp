@@ -34,15 +34,25 @@ MiddleGap gapOfMiddles(const InitialGuess& a, const InitialGuess& b, const Footp
   return gap;
 }
 
+/// How far a pose is from where the guesses put it.
+PoseGap gapToGuess(const InitialGuess& a, const InitialGuess& b, const Footprint& shape_a,
+                   const Footprint& shape_b, const Pose2D& pose_b_in_a) {
+  return gapBetween(shape_a, shape_b, pose_b_in_a, inverse(a.pose) + b.pose);
+}
+
+/// The gap in standard deviations, squared; `spread` is that of MiddleGap.
+double squaredDeviations(const PoseGap& gap, const InitialGuess& a, const InitialGuess& b,
+                         double spread) {
+  const double sigma_turn = std::hypot(a.sigma_phi, b.sigma_phi);
+  return std::pow(gap.distance / spread, 2) +
+         std::pow(gap.turn, 2) / (sigma_turn * sigma_turn + kDriftTurn * kDriftTurn);
+}
+
 double factorOf(const EdgeCandidate& candidate, const InitialGuess& a, const InitialGuess& b,
                 const Footprint& shape_a, const Footprint& shape_b) {
-  const Pose2D guess_b_in_a = inverse(a.pose) + b.pose;
-  const PoseGap gap = gapBetween(shape_a, shape_b, candidate.pose_b_in_a, guess_b_in_a);
-  const double sigma_turn = std::hypot(a.sigma_phi, b.sigma_phi);
   const double spread = gapOfMiddles(a, b, shape_a, shape_b).spread;
   const double squared =
-      std::pow(gap.distance / spread, 2) +
-      std::pow(gap.turn, 2) / (sigma_turn * sigma_turn + kDriftTurn * kDriftTurn);
+      squaredDeviations(gapToGuess(a, b, shape_a, shape_b, candidate.pose_b_in_a), a, b, spread);
   // A guess that allows everywhere says nothing.
   const double reach = 1 + (shape_a.radius + shape_b.radius) / 2;
   const double sharpness = reach * reach / (reach * reach + spread * spread);
@@ -83,6 +93,18 @@ std::vector<PairIndex> pairsThatMayMeet(const std::vector<InitialGuess>& guesses
     }
   }
   return pairs;
+}
+
+std::optional<OverruledGuess> overruledGuess(const InitialGuess& a, const InitialGuess& b,
+                                             const Footprint& shape_a, const Footprint& shape_b,
+                                             const Pose2D& pose_b_in_a) {
+  const PoseGap gap = gapToGuess(a, b, shape_a, shape_b, pose_b_in_a);
+  constexpr double most_deviations = 5;
+  if (squaredDeviations(gap, a, b, gapOfMiddles(a, b, shape_a, shape_b).spread) <=
+      most_deviations * most_deviations) {
+    return std::nullopt;
+  }
+  return OverruledGuess{b.map, a.map, gap.distance, gap.turn};
 }
 
 void weighByGuesses(const std::vector<InitialGuess>& guesses, const std::vector<Footprint>& maps,

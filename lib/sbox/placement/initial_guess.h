@@ -5,6 +5,7 @@
 // the others, but with tails so heavy that a wrong guess is overruled by maps that are sure.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "sbox/placement/footprint.h"
@@ -29,6 +30,22 @@ struct InitialGuess {
 /// ascending order. Throws as guessOfEachMap() does.
 [[nodiscard]] std::vector<PairIndex> pairsThatMayMeet(const std::vector<InitialGuess>& guesses,
                                                       const std::vector<Footprint>& maps);
+
+/// A map that lies elsewhere than the guesses say.
+struct OverruledGuess {
+  int map = 0;          ///< Index of the map.
+  int beside = 0;       ///< Index of the map beside which its guess puts it elsewhere.
+  double distance = 0;  ///< From there, of the maps' middles, metres.
+  double turn = 0;      ///< From there, radians.
+};
+
+/// What is wrong with the guesses of two maps if b lies at `pose_b_in_a`: nothing within five
+/// standard deviations.
+[[nodiscard]] std::optional<OverruledGuess> overruledGuess(const InitialGuess& a,
+                                                           const InitialGuess& b,
+                                                           const Footprint& shape_a,
+                                                           const Footprint& shape_b,
+                                                           const Pose2D& pose_b_in_a);
 
 /// Weighs the candidates of all pairs of which both maps have a guess, and accepts the likeliest
 /// from probability `accept_from` on. Throws as guessOfEachMap() does.

@@ -68,7 +68,30 @@ void placeMembers(const SettledGroup& settled, const MapGroup& group, int number
   const std::vector<PoseCovariance> covariances =
       poseCovariances(solution, reference, settled.graphEdges());
   for (size_t i = 0; i < settled.members.size(); ++i) {
-    maps[static_cast<size_t>(settled.members[i])] = {number, solution.poses[i], covariances[i]};
+    maps[static_cast<size_t>(settled.members[i])] = {number, solution.poses[i], covariances[i],
+                                                     group.reference};
+  }
+}
+
+/// Adds the members that lie elsewhere than their guesses say, beside the first with a guess.
+void addOverruled(const MapGroup& group, const std::vector<const InitialGuess*>& guess_of,
+                  const std::vector<Footprint>& shapes, PlacementResult& result) {
+  const InitialGuess* first = nullptr;
+  for (const int member : group.members) {
+    const auto b = static_cast<size_t>(member);
+    if (guess_of[b] == nullptr) {
+      continue;
+    }
+    if (first == nullptr) {
+      first = guess_of[b];
+      continue;
+    }
+    const auto a = static_cast<size_t>(first->map);
+    const Pose2D pose_b_in_a = inverse(result.maps[a].pose) + result.maps[b].pose;
+    if (const auto overruled =
+            overruledGuess(*first, *guess_of[b], shapes[a], shapes[b], pose_b_in_a)) {
+      result.overruled.push_back(*overruled);
+    }
   }
 }
 
@@ -93,6 +116,7 @@ PlacementResult placeMaps(const std::vector<Footprint>& maps, const std::vector<
   weighByGuesses(guesses, maps, options.accept_from, evidence);
   const std::vector<SettledGroup> settled = groupMaps(maps, evidence, options);
 
+  const std::vector<const InitialGuess*> guess_of = guessOfEachMap(guesses, maps.size());
   PlacementResult result;
   result.maps.resize(maps.size());
   for (size_t number = 0; number < settled.size(); ++number) {
@@ -101,6 +125,7 @@ PlacementResult placeMaps(const std::vector<Footprint>& maps, const std::vector<
       group.reference = *reference;
     }
     placeMembers(settled[number], group, static_cast<int>(number), result.maps);
+    addOverruled(group, guess_of, maps, result);
     result.groups.push_back(std::move(group));
   }
   const auto largest = std::max_element(result.groups.begin(), result.groups.end(),

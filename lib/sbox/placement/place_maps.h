@@ -25,6 +25,7 @@ struct MapPlacement {
   Pose2D pose;    ///< Frame of the map in the frame of its group's reference.
   PoseCovariance covariance =
       PoseCovariance::Zero();  ///< Of the pose; zero for the reference only.
+  int reference = 0;           ///< The map whose frame that is: of a map alone, itself.
 };
 
 /// Maps that belong together.
@@ -40,6 +41,9 @@ struct PlacementResult {
   int largest = 0;                 ///< The group with most members; of equals the first.
   /// What became of each pair, in the order given; see MapPair::settlement.
   std::vector<std::optional<PairSettlement>> settlements;
+  /// The maps that lie elsewhere in their group than their guesses say, beside the first that has
+  /// one.
+  std::vector<OverruledGuess> overruled;
 };
 
 /// Places maps of these footprints. A group's reference is `reference` where it is a member, else

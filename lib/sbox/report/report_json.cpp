@@ -25,6 +25,7 @@ Json mapJson(const MapOutcome& map) {
   return {{"file", map.name},
           {"placed", map.placed},
           {"group", map.placement.group},
+          {"reference", map.placement.reference},
           {"pose", poseJson(map.placement.pose)},
           {"covariance", covarianceJson(map.placement.covariance)},
           {"cells", {map.width, map.height}},

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <iterator>
+#include <map>
 #include <set>
 
 #include "sbox/core/lower_case.h"
@@ -14,21 +16,32 @@ namespace {
 
 constexpr size_t most_characters = 60;
 
-std::string safeStem(const std::string& path) {
+std::string safe(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(),
+      [](unsigned char c) { return c >= 0x80 || (std::isalnum(c) == 0 && c != '-' && c != '_'); },
+      '_');
+  return name.empty() ? "map" : name.substr(0, most_characters);
+}
+
+std::string stemOf(const std::string& path) {
   const size_t slash = path.find_last_of('/');
   std::string stem = slash == std::string::npos ? path : path.substr(slash + 1);
-  for (const char* extension :
-       {".gz", ".gridmap", ".yaml", ".yml", ".png", ".pgm", ".simplemap", ".rawlog"}) {
+  for (const char* extension : {".gz", ".gridmap", ".yaml", ".yml", ".png", ".pgm", ".bmp", ".jpg",
+                                ".jpeg", ".tif", ".tiff", ".simplemap", ".rawlog"}) {
     const std::string end(extension);
     if (stem.size() > end.size() && stem.compare(stem.size() - end.size(), end.size(), end) == 0) {
       stem.resize(stem.size() - end.size());
     }
   }
-  std::replace_if(
-      stem.begin(), stem.end(),
-      [](unsigned char c) { return c >= 0x80 || (std::isalnum(c) == 0 && c != '-' && c != '_'); },
-      '_');
-  return stem.empty() ? "map" : stem.substr(0, most_characters);
+  return stem;
+}
+
+/// "FOLDER_STEM", or the stem where the path names no folder.
+std::string stemWithFolder(const std::string& path) {
+  const std::filesystem::path folder =
+      std::filesystem::path(path).lexically_normal().parent_path().filename();
+  return folder.empty() || folder == ".." ? stemOf(path) : folder.string() + "_" + stemOf(path);
 }
 
 }  // namespace
@@ -47,9 +60,17 @@ std::vector<std::string> distinctNames(const std::vector<std::string>& names) {
 }
 
 std::vector<std::string> shortNames(const std::vector<std::string>& paths) {
-  std::vector<std::string> stems;
-  std::transform(paths.begin(), paths.end(), std::back_inserter(stems), safeStem);
-  return distinctNames(stems);
+  std::map<std::string, int> count_of_stem;
+  for (const std::string& path : paths) {
+    ++count_of_stem[lowerCase(safe(stemOf(path)))];
+  }
+  // Robots often call their maps alike, each in its folder.
+  std::vector<std::string> names;
+  for (const std::string& path : paths) {
+    const std::string stem = safe(stemOf(path));
+    names.push_back(count_of_stem[lowerCase(stem)] > 1 ? safe(stemWithFolder(path)) : stem);
+  }
+  return distinctNames(names);
 }
 
 std::vector<std::string> shortNames(const MergeResult& result) {

@@ -14,7 +14,7 @@ namespace sbox {
 [[nodiscard]] std::vector<std::string> distinctNames(const std::vector<std::string>& names);
 
 /// For each path a distinct name that is safe in a file name: letters, digits, "-" and "_" of its
-/// stem, at most 60 before numbers are added.
+/// stem, after its folder where stems are alike; at most 60 before numbers are added.
 [[nodiscard]] std::vector<std::string> shortNames(const std::vector<std::string>& paths);
 
 /// The short names of all maps, in their order.

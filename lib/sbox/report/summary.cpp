@@ -41,11 +41,13 @@ std::string pairText(const MergeResult& result, const MapPair& pair) {
     text += " (best candidate " + poseText(found.pose_b_in_a) + ", " +
             confidenceText(found.confidence) + ")";
   }
-  if (result.maps.size() > 2) {
-    text += pair.settlement ? settlementText(*pair.settlement) : "";
-    const bool apart = groupOf(result, pair.a) != groupOf(result, pair.b);
-    text += apart && found.verdict == Verdict::Accepted ? "; not taken: no other pair bears it out"
-                                                        : "";
+  const bool is_one_of_many = result.maps.size() > 2;
+  if (is_one_of_many && pair.settlement) {
+    text += settlementText(*pair.settlement);
+  }
+  if (found.verdict == Verdict::Accepted && groupOf(result, pair.a) != groupOf(result, pair.b)) {
+    text += is_one_of_many ? "; not taken: no other pair bears it out"
+                           : "; not taken: where the maps are said to lie, it is not";
   }
   return text;
 }
@@ -145,6 +147,18 @@ std::vector<std::string> summaryLines(const MergeResult& result,
     if (best != nullptr) {
       lines.push_back(result.maps[map].name + ": left out; " + pairText(result, *best));
     }
+  }
+  return lines;
+}
+
+std::vector<std::string> warningLines(const MergeResult& result) {
+  std::vector<std::string> lines;
+  for (const OverruledGuess& overruled : result.overruled) {
+    lines.push_back(result.maps[static_cast<size_t>(overruled.map)].name + " lies " +
+                    fixedDigits(overruled.distance, 1) + " m and " +
+                    fixedDigits(overruled.turn * 180 / M_PI, 0) +
+                    " deg from where it was said to, beside " +
+                    result.maps[static_cast<size_t>(overruled.beside)].name);
   }
   return lines;
 }

@@ -21,6 +21,10 @@ namespace sbox {
 [[nodiscard]] std::vector<std::string> summaryLines(const MergeResult& result,
                                                     const std::vector<std::string>& merged_files);
 
+/// What a user should look at before the result is used: a line for each map that lies elsewhere
+/// than it was said to.
+[[nodiscard]] std::vector<std::string> warningLines(const MergeResult& result);
+
 /// What each stage found, for those who want to know more: a line for each map, pair and merged
 /// map, and one for the time that each stage took.
 [[nodiscard]] std::vector<std::string> detailLines(const MergeResult& result);

@@ -6,10 +6,13 @@ namespace sbox {
 
 std::string mrptReason(const std::exception& error) {
   const std::string text = error.what();
-  const std::string mark = "Message:";
-  const size_t found = text.find(mark);
-  const size_t begin =
-      text.find_first_not_of(" \t\r\n", found == std::string::npos ? 0 : found + mark.size());
+  // What is thrown by hand has the heading only.
+  size_t begin = 0;
+  for (const std::string mark : {"==== MRPT exception ====", "Message:"}) {
+    const size_t found = text.find(mark);
+    begin = found == std::string::npos ? begin : found + mark.size();
+  }
+  begin = text.find_first_not_of(" \t\r\n", begin);
   if (begin == std::string::npos) {
     return "unknown error";
   }

@@ -30,6 +30,9 @@ constexpr const char* section = "MappingApplication";
 std::unique_ptr<CMetricMapBuilder> makeIcp(const mrpt::config::CConfigFileBase& settings) {
   auto builder = std::make_unique<CMetricMapBuilderICP>();
   builder->ICP_options.loadFromConfigFile(settings, section);
+  if (builder->ICP_options.mapInitializers.size() == 0) {
+    throw std::runtime_error(std::string("section [") + section + "] names no map to make");
+  }
   builder->ICP_params.loadFromConfigFile(settings, "ICP");
   builder->setVerbosityLevel(mrpt::system::LVL_ERROR);
   builder->initialize();
@@ -44,6 +47,7 @@ std::unique_ptr<CMetricMapBuilder> makeRbpf(const mrpt::config::CConfigFileBase&
   mrpt::random::getRandomGenerator().randomize(seed);
   auto builder = std::make_unique<CMetricMapBuilderRBPF>(options);
   builder->setVerbosityLevel(mrpt::system::LVL_ERROR);
+  builder->mapPDF.setVerbosityLevel(mrpt::system::LVL_ERROR);
   return builder;
 }
 
