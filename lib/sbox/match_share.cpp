@@ -105,8 +105,8 @@ MatchedShare matchShare(const std::vector<Map>& maps, const MergeOptions& option
   }
   MatchStore store;
   extractAll(maps, options, store, tell);
-  const std::vector<PairIndex> pairs =
-      pairsToMatch(footprintsOf(maps, options.threads), options, store, tell, share);
+  const std::vector<PairIndex> pairs = pairsToMatch(
+      footprintsOf(maps, statesOf(options), options.threads), options, store, tell, share);
   matchPairs(pairs, options, store, tell);
   return {share, optionsDigest(options), mapDigests(maps, options.threads),
           matchedPairs(pairs, store)};

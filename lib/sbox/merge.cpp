@@ -112,7 +112,7 @@ MergeResult mergeMaps(const std::vector<Map>& maps, const MergeOptions& options,
   extractAll(maps, options, known, progress);
   result.seconds.features = total_stopwatch.seconds();
   // Section 3.2: matching, of the pairs that are worth it.
-  const std::vector<Footprint> footprints = footprintsOf(maps, options.threads);
+  const std::vector<Footprint> footprints = footprintsOf(maps, statesOf(options), options.threads);
   const Stopwatch retrieval_stopwatch;
   const std::vector<PairIndex> pairs = pairsToMatch(footprints, options, known, progress);
   result.seconds.matching = retrieval_stopwatch.seconds();

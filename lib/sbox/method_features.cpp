@@ -11,6 +11,10 @@ MethodFeatures extractMethodFeatures(const Map& map, const MergeOptions& options
   return extractPaperFeatures(map, options.paper);
 }
 
+const StateOptions& statesOf(const MergeOptions& options) {
+  return options.method == Method::Boxes ? options.pair.features.states : options.paper.states;
+}
+
 PairResult matchMethodFeatures(const MethodFeatures& a, const MethodFeatures& b,
                                const MergeOptions& options,
                                const std::optional<GuessedPoses>& guess, int threads) {

@@ -19,6 +19,9 @@ using MethodFeatures = std::variant<MapFeatures, PaperFeatures>;
 /// Features by options.method.
 [[nodiscard]] MethodFeatures extractMethodFeatures(const Map& map, const MergeOptions& options);
 
+/// Which cells options.method takes as free and which as occupied.
+[[nodiscard]] const StateOptions& statesOf(const MergeOptions& options);
+
 /// Matches two maps by the method that made their features; the published method takes no guess and
 /// one thread.
 /// Throws std::bad_variant_access if these were made by different methods.

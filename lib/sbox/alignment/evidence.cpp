@@ -100,8 +100,12 @@ EvidenceWeights::EvidenceWeights(const EvidenceOptions& options)
 }
 
 double conflictWeight(double depth, const EvidenceOptions& options) {
-  return std::clamp(
-      (depth - options.conflict_from) / (options.conflict_full - options.conflict_from), 0.0, 1.0);
+  if (depth >= options.conflict_full) {
+    return 1;
+  }
+  return depth <= options.conflict_from
+             ? 0
+             : (depth - options.conflict_from) / (options.conflict_full - options.conflict_from);
 }
 
 Overlap measureOverlap(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,

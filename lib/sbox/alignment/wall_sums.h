@@ -6,7 +6,7 @@ namespace sbox {
 
 /// Lengths of wall, metres.
 struct WallSums {
-  double known = 0;     ///< Wall that lies where the other map knows something.
+  double known = 0;     ///< Wall that agrees, or lies where the other map is free.
   double agree = 0;     ///< Wall on wall that faces the same way, weighed by the kernel.
   double conflict = 0;  ///< Wall deep in the other's free space.
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "sbox/core/cell_corner.h"
+#include "sbox/core/known_part.h"
 #include "sbox/core/parallel.h"
 #include "sbox/core/rigid_transform.h"
 #include "sbox/fusion/cell_box.h"
@@ -15,14 +16,18 @@
 namespace sbox {
 namespace {
 
-/// The lattice cells that the placed map may reach once it is bent.
+/// The lattice cells that what the placed map knows may reach once it is bent.
 CellBox reachOf(const Map& map, const Pose2D& grid_in_lattice, double most_shift,
                 const BentLattice& lattice) {
   double x_min = INFINITY, x_max = -INFINITY, y_min = INFINITY, y_max = -INFINITY;
-  const double width = map.width() * map.resolution(), height = map.height() * map.resolution();
-  for (const Point2D& corner :
-       {Point2D(0, 0), Point2D(width, 0), Point2D(0, height), Point2D(width, height)}) {
-    const Point2D p = grid_in_lattice.composePoint(corner);
+  // A cell that is hardly free or hardly occupied is bent with the others.
+  const KnownPart known = knownPart(map, StateLimits());
+  const auto cornerAt = [&](int right, int up) {
+    return grid_in_lattice.composePoint(Point2D(known.x_first + right * std::max(1, known.width),
+                                                known.y_first + up * std::max(1, known.height)) *
+                                        map.resolution());
+  };
+  for (const Point2D& p : {cornerAt(0, 0), cornerAt(1, 0), cornerAt(0, 1), cornerAt(1, 1)}) {
     x_min = std::min(x_min, p.x - most_shift);
     x_max = std::max(x_max, p.x + most_shift);
     y_min = std::min(y_min, p.y - most_shift);

@@ -78,6 +78,8 @@ void describeBoxesAndCorners(FeatureOptions& features, OptionTable& table) {
 void describeMatching(PairOptions& options, OptionTable& table) {
   table.section("matching.votes");
   table.metres("bin", options.votes.bin, {0.05, 10}, "Edge of a bin of translations");
+  table.number("most_bins", options.votes.most_bins, {1e4, 1e9},
+               "Where maps are so large that there would be more, bins are larger");
   table.number("box_weight", options.votes.box_weight, {0, 100},
                "Of a pair of boxes; a pair of corners counts 1");
   table.metres("size_tolerance", options.votes.size_tolerance, {0, 10},

@@ -46,7 +46,7 @@ struct PairResult {
   Pose2D pose_b_in_a;                   ///< Frame of map b in the frame of map a.
   PoseCovariance covariance = PoseCovariance::Identity() * 1e6;  ///< Of pose_b_in_a; never zero.
   double confidence = 0;         ///< Probability that pose_b_in_a is right, in [0, 1].
-  double overlap_m2 = 0;         ///< Area free in both maps under pose_b_in_a, square metres.
+  double overlap_m2 = 0;         ///< Area free in both maps before refinement, square metres.
   std::optional<Pose2D> kalman;  ///< pose_b_in_a by the Kalman step (section 3.3), if it could run.
   std::optional<Pose2D> ceres;   ///< pose_b_in_a by Ceres, if it could run.
   std::vector<std::pair<int, int>> matched_boxes;  ///< Indices into the boxes of a and of b.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "sbox/core/digest.h"
 
@@ -104,7 +105,17 @@ bool comesFirst(const MapFeatures& one, const MapFeatures& other) {
     return std::make_tuple(map.digest, map.width, map.height, map.grid_in_map.x, map.grid_in_map.y,
                            map.grid_in_map.phi);
   };
-  return order(one) < order(other);
+  const auto order_of_one = order(one), order_of_other = order(other);
+  if (order_of_one != order_of_other) {
+    return order_of_one < order_of_other;
+  }
+  // What differs in the maps' own cells only shows where walls were sharpened.
+  return std::lexicographical_compare(
+      one.wall_points.begin(), one.wall_points.end(), other.wall_points.begin(),
+      other.wall_points.end(), [](const WallPoint& left, const WallPoint& right) {
+        return std::make_pair(left.position.x(), left.position.y()) <
+               std::make_pair(right.position.x(), right.position.y());
+      });
 }
 
 MapFeatures extractFeatures(const Map& map, const FeatureOptions& options) {

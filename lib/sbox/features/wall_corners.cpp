@@ -44,11 +44,16 @@ std::vector<WallCorner> findCorners(const AxisLines& lines, const CornerOptions&
   std::vector<WallCorner> corners;
   for (const Quarter side_y : {1, 3}) {
     const std::vector<AxisLine>& along_x = lines[static_cast<size_t>(side_y)];
+    // How far a tilted line may be off its middle where it ends, and as far beyond as a corner may.
+    double most_off = 0;
+    for (const AxisLine& line : along_x) {
+      const double half = (line.high - line.low) / 2 + options.reach;
+      most_off = std::max(most_off, std::abs(line.slope) * half);
+    }
+    const double slack = options.reach + most_off;
     for (const Quarter side_x : {0, 2}) {
       for (const AxisLine& vertical : lines[static_cast<size_t>(side_x)]) {
-        // Lines along x are sorted by y: only those within the reach of this one's ends. A tilted
-        // line is off its middle by less than this at the corner.
-        const double slack = 2 * options.reach;
+        // Lines along x are sorted by y: only those within the reach of this one's ends.
         auto horizontal = std::lower_bound(
             along_x.begin(), along_x.end(), vertical.low - slack,
             [](const AxisLine& line, double value) { return line.across < value; });

@@ -84,8 +84,13 @@ std::array<std::vector<Offered>, kSectors> bySector(const std::vector<WallPoint>
 /// beyond the grid is not free. Only free cells take time.
 class ChamferBand {
  public:
-  explicit ChamferBand(const StateGrid& grid)
-      : grid_(grid), stride_(static_cast<size_t>(grid.width) + 2) {}
+  /// Depths up to `deepest` metres are told apart.
+  ChamferBand(const StateGrid& grid, double deepest)
+      : grid_(grid),
+        stride_(static_cast<size_t>(grid.width) + 2),
+        scale_(std::min(kMostScale, std::floor(kFarthest / (deepest / grid.resolution + 1)))),
+        side_(static_cast<int>(std::lround(kSide * scale_))),
+        diagonal_(static_cast<int>(std::lround(kDiagonal * scale_))) {}
 
   /// Works out the rows from `first` to before `last`.
   void measure(int first, int last) {
@@ -119,14 +124,14 @@ class ChamferBand {
   }
 
   /// How many fractions make an edge.
-  static constexpr int kScale = 1000;
+  [[nodiscard]] double scale() const { return scale_; }
 
  private:
-  /// Steps to a side and across a corner: those by which ways come nearest to straight ones
-  /// (Borgefors 1986).
-  static constexpr int kSide = 955, kDiagonal = 1369;
-  /// No distance is greater; a step more fits in 16 bits. In cells of 0.1 m the fields ask for less
-  /// than half of it.
+  static constexpr double kMostScale = 1000;
+  /// Steps to a side and across a corner, in cells: those by which ways come nearest to straight
+  /// ones (Borgefors 1986).
+  static constexpr double kSide = 0.955, kDiagonal = 1.369;
+  /// No distance is greater; a step more fits in 16 bits.
   static constexpr std::uint16_t kFarthest = 64'000;
 
   /// Free cells side by side in a row, from this index on.
@@ -157,29 +162,33 @@ class ChamferBand {
 
   /// Steps to `count` cells from those of the row that a sweep has passed before. Apart from
   /// stepAlong(), so that compilers work on many cells at once.
-  static void stepFromRow(const std::uint16_t* passed, size_t count, std::uint16_t* cells) {
+  void stepFromRow(const std::uint16_t* passed, size_t count, std::uint16_t* cells) const {
     const auto step = [](std::uint16_t from, int length) {
       return static_cast<std::uint16_t>(from + length);
     };
     const std::uint16_t *left = passed - 1, *right = passed + 1;
+    const int side = side_, diagonal = diagonal_;
     for (size_t i = 0; i < count; ++i) {
-      const std::uint16_t diagonal = step(std::min(left[i], right[i]), kDiagonal);
-      cells[i] = std::min(cells[i], std::min(diagonal, step(passed[i], kSide)));
+      const std::uint16_t across = step(std::min(left[i], right[i]), diagonal);
+      cells[i] = std::min(cells[i], std::min(across, step(passed[i], side)));
     }
   }
 
   /// Steps along a run of free cells; at its ends there is what is not free.
   template <typename Iterator>
-  static void stepAlong(Iterator cell, Iterator end) {
+  void stepAlong(Iterator cell, Iterator end) const {
+    const int side = side_;
     int distance = 0;
     for (; cell != end; ++cell) {
-      distance = std::min<int>(distance + kSide, *cell);
+      distance = std::min<int>(distance + side, *cell);
       *cell = static_cast<std::uint16_t>(distance);
     }
   }
 
   const StateGrid& grid_;
   size_t stride_;
+  double scale_;
+  int side_, diagonal_;
   int first_ = 0;
   std::vector<Run> runs_;
   std::vector<std::uint16_t> distances_;  ///< Row by row, with the rim.
@@ -193,13 +202,14 @@ int gridIndex(double origin, int i, const WallFields& fields, const StateGrid& g
 void fillDepth(const StateGrid& grid, WallFields& fields) {
   // Band by band, which stays in the cache: nothing further off than a margin matters.
   constexpr int band = 128;
-  const int margin = ceilToInt(WallFields::far * WallFields::unit / (0.95 * grid.resolution)) + 1;
+  constexpr double deepest = WallFields::far * WallFields::unit;
+  const int margin = ceilToInt(deepest / (0.95 * grid.resolution)) + 1;
   std::vector<int> columns;
   for (int x = 0; x < fields.width; ++x) {
     columns.push_back(gridIndex(fields.origin.x(), x, fields, grid));
   }
-  ChamferBand distances(grid);
-  const double to_units = grid.resolution / (ChamferBand::kScale * WallFields::unit);
+  ChamferBand distances(grid, deepest);
+  const double to_units = grid.resolution / (distances.scale() * WallFields::unit);
   int measured = 0;  // The first row of the grid that is not.
   for (int y = 0; y < fields.height; ++y) {
     const int row = gridIndex(fields.origin.y(), y, fields, grid);
@@ -216,7 +226,8 @@ void fillDepth(const StateGrid& grid, WallFields& fields) {
     for (int x = 0; x < fields.width; ++x) {
       const int column = columns[static_cast<size_t>(x)];
       if (column >= 0 && column < grid.width) {
-        field_row[x] = static_cast<std::uint8_t>(std::min(255.0, grid_row[column] * to_units + 0.5));
+        field_row[x] =
+            static_cast<std::uint8_t>(std::min(255.0, grid_row[column] * to_units + 0.5));
       }
     }
   }

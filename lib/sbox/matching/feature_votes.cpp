@@ -181,11 +181,13 @@ std::vector<Ballot> boxBallots(const std::vector<WallBox>& a, const std::vector<
 
 /// For all places at which the centre of map b can lie if the maps meet.
 VoteGrid gridFor(const MapFeatures& map_a, const MapFeatures& map_b, const WallFrame& frame_a,
-                 double bin) {
+                 const VoteOptions& options) {
   const TurnedBounds bounds = turnedBounds(map_a, -frame_a.direction);
   const Eigen::Vector2d radius_b =
       Eigen::Vector2d::Constant(std::hypot(map_b.width, map_b.height) / 2);
-  return {bounds.low - radius_b, bounds.high + radius_b, bin};
+  const Eigen::Vector2d low = bounds.low - radius_b, high = bounds.high + radius_b;
+  const double least_bin = std::sqrt((high - low).prod() / options.most_bins);
+  return {low, high, std::max(options.bin, least_bin)};
 }
 
 std::vector<Hypothesis> voteForTurn(const MapFeatures& map_b, const FrameFeatures& a,
@@ -230,7 +232,7 @@ std::vector<Hypothesis> voteForTransforms(const MapFeatures& a, const MapFeature
                                           const VoteOptions& options) {
   std::vector<Hypothesis> best, rest;
   for (const FrameFeatures& frame_a : a.frames) {
-    VoteGrid grid = gridFor(a, b, frame_a.frame, options.bin);
+    VoteGrid grid = gridFor(a, b, frame_a.frame, options);
     for (const FrameFeatures& frame_b : b.frames) {
       for (int turns = 0; turns < 4; ++turns) {
         std::vector<Hypothesis> found = voteForTurn(b, frame_a, frame_b, turns, options, grid);

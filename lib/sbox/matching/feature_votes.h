@@ -14,7 +14,8 @@ namespace sbox {
 
 /// How features vote.
 struct VoteOptions {
-  double bin = 0.6;             ///< Edge of a bin of translations, metres.
+  double bin = 0.6;             ///< Edge of a bin of translations, metres; more where maps are ...
+  double most_bins = 4e6;       ///< ... so large that there would be more bins.
   double box_weight = 1.0;      ///< Of a pair of boxes; a pair of corners counts 1.
   double size_tolerance = 0.4;  ///< Between the sides of two boxes, metres; and ...
   double size_ratio = 0.06;     ///< ... as a share of the side: long sides drift more.

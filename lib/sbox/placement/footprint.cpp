@@ -56,9 +56,9 @@ void forEachCommon(const Footprint& a, const Footprint& b, const Pose2D& pose_b_
 
 }  // namespace
 
-Footprint footprintOf(const Map& map) {
+Footprint footprintOf(const Map& map, const StateOptions& states) {
   Footprint footprint;
-  const StateLimits limits = stateLimits(StateOptions());
+  const StateLimits limits = stateLimits(states);
   const KnownPart part = knownPart(map, limits);
   if (part.width == 0) {
     return footprint;
@@ -100,10 +100,11 @@ Footprint footprintOf(const Map& map) {
   return footprint;
 }
 
-std::vector<Footprint> footprintsOf(const std::vector<Map>& maps, int threads) {
+std::vector<Footprint> footprintsOf(const std::vector<Map>& maps, const StateOptions& states,
+                                    int threads) {
   std::vector<Footprint> footprints(maps.size());
   parallelFor(static_cast<int>(maps.size()), threads, [&](int i) {
-    footprints[static_cast<size_t>(i)] = footprintOf(maps[static_cast<size_t>(i)]);
+    footprints[static_cast<size_t>(i)] = footprintOf(maps[static_cast<size_t>(i)], states);
   });
   return footprints;
 }

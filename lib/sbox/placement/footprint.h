@@ -10,6 +10,7 @@
 
 #include "sbox/core/map.h"
 #include "sbox/core/pose.h"
+#include "sbox/core/state_grid.h"
 
 namespace sbox {
 
@@ -25,11 +26,12 @@ struct Footprint {
   std::vector<std::uint8_t> cells;  ///< 1 where known; row by row, lowest row first.
 };
 
-/// The footprint of a map, in at most 48 x 48 cells.
-[[nodiscard]] Footprint footprintOf(const Map& map);
+/// The footprint of a map, in at most 48 x 48 cells; `states` tells what is known.
+[[nodiscard]] Footprint footprintOf(const Map& map, const StateOptions& states = {});
 
 /// The footprints of all maps, on up to `threads` threads (0: one a core).
-[[nodiscard]] std::vector<Footprint> footprintsOf(const std::vector<Map>& maps, int threads);
+[[nodiscard]] std::vector<Footprint> footprintsOf(const std::vector<Map>& maps,
+                                                  const StateOptions& states, int threads);
 
 /// Known points of map b that map a knows too, in the frame of a.
 [[nodiscard]] std::vector<Point2D> commonPoints(const Footprint& a, const Footprint& b,

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox/placement/pair_evidence.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -18,10 +18,9 @@ constexpr double kLeastProbability = 1e-6, kLeastNone = 1e-4;
 /// Where the calculation of a covariance failed: a metre and six degrees.
 PoseCovariance vagueCovariance() { return Eigen::Vector3d(1, 1, 0.01).asDiagonal(); }
 
-/// By Sylvester's criterion.
+/// By Cholesky's decomposition: determinants cancel out where frames lie far away.
 bool isPositiveDefinite(const PoseCovariance& covariance) {
-  return covariance.allFinite() && covariance(0, 0) > 0 &&
-         covariance.topLeftCorner<2, 2>().determinant() > 0 && covariance.determinant() > 0;
+  return covariance.allFinite() && Eigen::LLT<PoseCovariance>(covariance).info() == Eigen::Success;
 }
 
 /// The covariance of `from` as that of `to`: the same error of the middle of b, along b's axes.

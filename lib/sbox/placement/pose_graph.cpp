@@ -68,7 +68,7 @@ PoseGraphSolution solvePoseGraph(const std::vector<Pose2D>& start, int reference
   if (!edges.empty()) {
     std::vector<Node> nodes(start.size());
     std::transform(start.begin(), start.end(), nodes.begin(), nodeOf);
-    ceres::CauchyLoss loss(options.loss_scale);
+    ceres::LossFunctionWrapper loss(nullptr, ceres::TAKE_OWNERSHIP);
     ceres::Problem::Options problem_options;
     problem_options.loss_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
     ceres::Problem problem(problem_options);
@@ -91,7 +91,11 @@ PoseGraphSolution solvePoseGraph(const std::vector<Pose2D>& start, int reference
     solver.function_tolerance = 1e-12;
     solver.parameter_tolerance = 1e-12;
     ceres::Solver::Summary summary;
-    ceres::Solve(solver, &problem, &summary);
+    // A narrow loss has several minima; which is reached shall not depend on the start.
+    for (const double widening : {64, 16, 4, 1}) {
+      loss.Reset(new ceres::CauchyLoss(widening * options.loss_scale), ceres::TAKE_OWNERSHIP);
+      ceres::Solve(solver, &problem, &summary);
+    }
     for (size_t i = 0; i < nodes.size(); ++i) {
       solution.poses[i] = {nodes[i][0], nodes[i][1], wrapAngle(nodes[i][2])};
     }

@@ -46,9 +46,10 @@ RefinedPose refinePose(const MapFeatures& a, const MapFeatures& b, const RigidTr
       largestShift(a, b, refined.b_in_a, *refined.ceres) < options.most_polish) {
     refined.b_in_a = *refined.ceres;
   }
-  refined.is_doubtful =
-      refined.disagreement() >
-      options.large_difference * std::max(1.0, drift.roughness() / options.drift_free);
+  constexpr double least_drift = 1e-3;  // Metres.
+  const double drift_free = std::max(options.drift_free, least_drift);
+  refined.is_doubtful = refined.disagreement() >
+                        options.large_difference * std::max(1.0, drift.roughness() / drift_free);
   refined.covariance =
       poseCovariance(wallInformation(a, b, refined.b_in_a), drift.roughness(), options.covariance);
   return refined;

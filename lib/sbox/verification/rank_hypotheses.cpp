@@ -139,7 +139,7 @@ void weighFit(const MapFeatures& a, const MapFeatures& b, const RankingOptions& 
 }
 
 /// Aligns the candidates, and adds those that are about as plausible as the best to the fits. Of
-/// one answer the likelier fit stays.
+/// one answer the first fit stays, or, of careful alignment, the likelier one.
 void addFits(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked> ranked, Alignment how,
              const RankingOptions& options, const EvidenceWeights& weights,
              const EvidenceWeights& bent_weights, int threads, std::vector<Fit>& fits) {
