@@ -279,4 +279,7 @@ TEST_CASE("walls conflict more the deeper they stand in free space", "[alignment
   CHECK(conflictWeight(0.3, options) == Approx(0.25));
   CHECK(conflictWeight(0.6, options) == Approx(1));
   CHECK(conflictWeight(5, options) == 1);
+  options.conflict_from = options.conflict_full;
+  CHECK(conflictWeight(0.59, options) == 0);
+  CHECK(conflictWeight(0.6, options) == 1);
 }

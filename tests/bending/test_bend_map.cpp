@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -86,4 +87,21 @@ TEST_CASE("a bent map beyond the limit is refused before memory is taken", "[ben
   const Map map = office();
   const BentLattice tiny{map.corner_in_map, 1e-5};
   CHECK_THROWS_AS(bendMap({&map, Pose2D()}, constant(0, 0), 0, tiny), std::length_error);
+}
+
+TEST_CASE("unknown margins take no cells", "[bending]") {
+  const Map map = office();
+  constexpr int margin = 300;
+  Map padded = makeMap("padded", map.width() + 2 * margin, map.height() + 2 * margin, kCell,
+                       {map.corner_in_map.x - margin * kCell, map.corner_in_map.y - margin * kCell,
+                        map.corner_in_map.phi});
+  for (int y = 0; y < map.height(); ++y) {
+    std::copy_n(map.grid.getRow(y), map.width(), padded.grid.getRow(y + margin) + margin);
+  }
+  const Map bent = bendMap({&padded, Pose2D()}, constant(0, 0), 0, {map.corner_in_map, kCell});
+  CHECK(bent.width() <= map.width() + 2);
+  CHECK(bent.height() <= map.height() + 2);
+  CHECK(differing(map, bent, {0, 0}) == 0);
+  const Map nothing = makeMap("nothing", 500, 400, kCell);
+  CHECK(bendMap({&nothing, Pose2D()}, constant(0, 0), 0, {{}, kCell}).width() <= 2);
 }

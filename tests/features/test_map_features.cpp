@@ -212,6 +212,25 @@ TEST_CASE("other cells have another digest", "[features]") {
   CHECK(extractFeatures(map).digest != digest);
 }
 
+TEST_CASE("maps that differ in their own cells only have an order, too", "[features]") {
+  const auto room = [](int thickness) {
+    Map map = makeMap("room", 100, 80, 0.05);
+    map.grid.fill(0.95F);
+    for (int y = 0; y < 80; ++y) {
+      for (int x = 0; x < 100; ++x) {
+        if (x == 0 || y == 0 || y == 79 || x >= 100 - thickness) {
+          map.grid.setCell(x, y, 0.05F);
+        }
+      }
+    }
+    return extractFeatures(map);
+  };
+  const MapFeatures one = room(1), other = room(2);
+  REQUIRE(one.digest == other.digest);
+  CHECK(comesFirst(one, other) != comesFirst(other, one));
+  CHECK_FALSE(comesFirst(one, room(1)));
+}
+
 TEST_CASE("a map without walls has no features", "[features]") {
   const MapFeatures unknown = extractFeatures(makeMap("unknown", 50, 40, 0.05));
   CHECK(unknown.empty());

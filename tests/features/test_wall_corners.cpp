@@ -153,3 +153,21 @@ TEST_CASE("the corners with the longest arms are kept", "[features]") {
   all.resize(10);
   CHECK(kept == all);
 }
+
+TEST_CASE("the corner of long tilted lines is found", "[features]") {
+  for (const double slope : {0.01, 0.1, 0.3}) {
+    for (const double reach : {0.0, 3.0}) {
+      CornerOptions options = unlimited();
+      options.reach = reach;
+      // The first ends where the second stands.
+      const AxisLine along_x{0, 160, 20, slope, 1};
+      const double end = along_x.acrossAt(160);
+      const AxisLine along_y{end - 1e-9, end + 5, 160, 0, 1};
+      INFO("slope " << slope << ", reach " << reach);
+      const auto corners = findCorners(two(along_x, along_y), options);
+      REQUIRE(corners.size() == 1);
+      CHECK(corners[0].position.x() == Approx(160));
+      CHECK(corners[0].position.y() == Approx(end));
+    }
+  }
+}

@@ -202,3 +202,18 @@ TEST_CASE("fields reach beyond the grid, and there are none of nothing", "[featu
   CHECK(none.cellAt(0, 0) == -1);
   CHECK(none.distances[0].empty());
 }
+
+TEST_CASE("depths are told apart as far in fine cells as in others", "[features]") {
+  // A hall of 6 m, whose middle is 3 m from the walls.
+  for (const double resolution : {0.01, 0.02, 0.1}) {
+    const int size = static_cast<int>(std::lround(6 / resolution));
+    const WallFields fields = makeFields(test::freeGrid(size, size, resolution), {});
+    const auto depthAt = [&](double x) {
+      return fields.free_depth[static_cast<size_t>(fields.cellAt(x, 3))] * WallFields::unit;
+    };
+    INFO(resolution << " m");
+    CHECK(depthAt(3) == Approx(2.55));
+    CHECK(depthAt(2.1) == Approx(2.1).margin(0.2));
+    CHECK(depthAt(1.1) == Approx(1.1).margin(0.15));
+  }
+}

@@ -228,3 +228,16 @@ TEST_CASE("no features, no votes", "[matching]") {
   bare.frames[0].boxes.clear();
   CHECK(voteForTransforms(some, bare).empty());
 }
+
+TEST_CASE("maps so large that there would be too many bins get larger ones", "[matching]") {
+  const MapFeatures a = randomFeatures(1, 0.2, 60), b = randomFeatures(2, 0.4, 60);
+  VoteOptions options;
+  options.max_hypotheses = 1000000;
+  const size_t found = voteForTransforms(a, b, options).size();
+  options.most_bins = 100;
+  const size_t found_in_few = voteForTransforms(a, b, options).size();
+  // Of each of the four turns; and a bin more along each side.
+  CHECK(found_in_few <= 4 * 11 * 11);
+  CHECK(found_in_few > 50);
+  CHECK(found > 2 * found_in_few);
+}

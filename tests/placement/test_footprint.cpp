@@ -118,3 +118,13 @@ TEST_CASE("the gap between poses is taken at the middles of the maps") {
   CHECK(gap.turn == Approx(turn));
   CHECK(gapBetween(a, b, {0, 0, 3.1}, {0, 0, -3.1}).turn == Approx(2 * M_PI - 6.2));
 }
+
+TEST_CASE("what is known is what the states say") {
+  Map pale = makeMap("pale", 100, 50, 0.1);
+  pale.grid.fill(0.58F);
+  CHECK(footprintOf(pale).known.empty());
+  StateOptions states;
+  states.free_above = 0.55;
+  CHECK(footprintOf(pale, states).known.size() == hall().known.size());
+  CHECK(footprintsOf({pale}, states, 1)[0].centre.x == Approx(5));
+}

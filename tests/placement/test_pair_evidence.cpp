@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "catch.h"
+#include "sbox/core/pose_errors.h"
 #include "sbox/placement/pair_evidence.h"
 
 using namespace sbox;
@@ -51,4 +52,21 @@ TEST_CASE("a single pair keeps about its own probability", "[pair_evidence]") {
   none[0].none = 1;
   weighByBaseRate(none);
   CHECK(none[0].none == Approx(1));
+}
+
+TEST_CASE("a covariance is believed however far the frame's zero is away", "[pair_evidence]") {
+  // A centimetre and half a milliradian about the middle of map b.
+  const PoseCovariance about_middle = Eigen::Vector3d(1e-4, 1e-4, 2.5e-7).asDiagonal();
+  for (const double far : {0.0, 1e4, 5e5, 4e6}) {
+    const Eigen::Matrix3d to_zero = leverTo({far, -0.7 * far});
+    MapPair pair{0, 1, {}};
+    pair.result.has_pose = true;
+    pair.result.covariance = to_zero * about_middle * to_zero.transpose();
+    INFO(far << " m");
+    CHECK(evidenceOf(pair, {}, {}).candidates.at(0).covariance == pair.result.covariance);
+  }
+  MapPair broken{0, 1, {}};
+  broken.result.has_pose = true;
+  broken.result.covariance = Eigen::Vector3d(1, 1, -1e-6).asDiagonal();
+  CHECK(evidenceOf(broken, {}, {}).candidates.at(0).covariance(2, 2) > 0);
 }

@@ -136,3 +136,14 @@ TEST_CASE("a graph of more nodes than a dense matrix is used for comes out right
   }
   CHECK(solution.edge_weights.back() < 0.01);
 }
+
+TEST_CASE("edges that disagree are settled alike from any start") {
+  // Two say here and one says there, each so sure that the loss has a minimum at either.
+  const std::vector<GraphEdge> edges{{0, 1, {0, 0, 0}, spread(0.05, 0.01)},
+                                     {0, 1, {0.1, 0, 0}, spread(0.05, 0.01)},
+                                     {0, 1, {2, 0, 0.05}, spread(0.05, 0.01)}};
+  for (const double start : {-1.0, 0.0, 1.0, 2.0, 3.0}) {
+    INFO("from " << start);
+    CHECK(solvePoseGraph({{}, {start, 0, 0.02}}, 0, edges).poses[1].x == Approx(0.06).margin(0.03));
+  }
+}

@@ -92,4 +92,7 @@ TEST_CASE("Kalman and Ceres may differ by so much, and by more in bent maps", "[
   CHECK(isDoubtful());
   options.drift_free = 0.5 * drift.roughness();
   CHECK_FALSE(isDoubtful());
+  options.drift_free = 0;
+  options.large_difference = 0;
+  CHECK(isDoubtful());
 }
