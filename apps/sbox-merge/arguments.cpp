@@ -30,7 +30,7 @@ constexpr const char* footer =
     "Exit codes: 0 every map is part of the merged map, or --pairs wrote its share; 1 an input or\n"
     "output cannot be used;\n"
     "2 wrong usage; 3 not every map could be placed with confidence (the report says why; of two\n"
-    "maps nothing is merged then).\n"
+    "maps nothing is merged then); 129, 130, 143 stopped by a signal.\n"
     "Example: sbox-merge --in a.yaml b.yaml --out merged.yaml --report report.json --pictures why";
 
 /// What is read as text first: errors then say what is allowed in plain words.
