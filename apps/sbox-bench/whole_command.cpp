@@ -91,7 +91,7 @@ std::vector<std::optional<CommandSeconds>> timeCommand(const FolderAnswers& fold
     progress.step();
     const PairResult& result = folder.answers[i].result;
     if (result.verdict != Verdict::Accepted) {
-      seconds.push_back(std::nullopt);
+      seconds.emplace_back();
       continue;
     }
     const auto a = static_cast<size_t>(loaded.map_of_pair[i].first);

@@ -30,8 +30,8 @@ void protectInputs(const Arguments& arguments, OutputFiles& files) {
   const std::string advice = "; name another output";
   for (const std::string& input : arguments.inputs) {
     for (const std::string& file : filesRead(input)) {
-      files.protect(
-          file, (file == input ? "is an input" : "is the image of the input " + input) + advice);
+      std::string reason = file == input ? "is an input" : "is the image of the input " + input;
+      files.protect(file, reason.append(advice));
     }
   }
   for (const std::string& file : arguments.joined) {
@@ -43,8 +43,7 @@ void protectInputs(const Arguments& arguments, OutputFiles& files) {
 }
 
 std::string tfText(const MergeResult& result, const std::string& file) {
-  const std::string extension = pathExtension(file);
-  return extension == ".yaml" || extension == ".yml" ? tfYaml(result) : tfScript(result);
+  return isYamlPath(file) ? tfYaml(result) : tfScript(result);
 }
 
 void stageKeyFrames(OutputFiles& files, const std::string& target, const KeyFrames& key_frames) {

@@ -37,7 +37,8 @@ class EdgeFinder {
     const Eigen::Vector2d along(normal.y(), -normal.x());
     edges_.clear();
     for (double place = first; place <= last; place += 2 * cells_.resolution) {
-      if (const std::optional<double> offset = edgeAt((base + place * along) / cells_.resolution, normal)) {
+      if (const std::optional<double> offset =
+              edgeAt((base + place * along) / cells_.resolution, normal)) {
         edges_.push_back({place, *offset});
       }
     }

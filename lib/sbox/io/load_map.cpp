@@ -27,8 +27,6 @@ Map loadSimplemap(const std::string& path) {
   }
 }
 
-bool isYaml(const std::string& extension) { return extension == ".yaml" || extension == ".yml"; }
-
 }  // namespace
 
 Map loadMap(const std::string& path, const LoadOptions& options) {
@@ -40,7 +38,7 @@ Map loadMap(const std::string& path, const LoadOptions& options) {
     if (extension == ".simplemap" || extension == ".simplemap.gz") {
       return loadSimplemap(path);
     }
-    if (isYaml(extension)) {
+    if (isYamlPath(path)) {
       return loadRosMap(path);
     }
     if (isImagePath(path)) {
@@ -60,7 +58,7 @@ Map loadMap(const std::string& path, const LoadOptions& options) {
 
 std::vector<std::string> filesRead(const std::string& path) {
   std::vector<std::string> files{path};
-  if (isYaml(pathExtension(path))) {
+  if (isYamlPath(path)) {
     try {
       files.push_back(rosImagePath(path, loadRosYaml(path)));
     } catch (const FileError&) {

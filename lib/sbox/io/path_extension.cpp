@@ -17,4 +17,9 @@ std::string pathExtension(const std::string& path) {
   return lowerCase(extension);
 }
 
+bool isYamlPath(const std::string& path) {
+  const std::string extension = pathExtension(path);
+  return extension == ".yaml" || extension == ".yml";
+}
+
 }  // namespace sbox

@@ -10,4 +10,7 @@ namespace sbox {
 /// "MAP.gridmap.gz" gives ".gridmap.gz". Empty if there is none.
 [[nodiscard]] std::string pathExtension(const std::string& path);
 
+/// Whether the path ends in .yaml or .yml.
+[[nodiscard]] bool isYamlPath(const std::string& path);
+
 }  // namespace sbox

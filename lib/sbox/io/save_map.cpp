@@ -12,11 +12,6 @@
 namespace sbox {
 namespace {
 
-bool isYaml(const std::string& path) {
-  const std::string extension = pathExtension(path);
-  return extension == ".yaml" || extension == ".yml";
-}
-
 std::filesystem::path imageBeside(const std::string& yaml) {
   return std::filesystem::path(yaml).replace_extension(".pgm");
 }
@@ -31,8 +26,8 @@ void saveRosMap(const Map& map, const std::string& path, OutputFiles& files) {
 }  // namespace
 
 std::vector<std::string> filesOfMap(const std::string& path) {
-  return isYaml(path) ? std::vector<std::string>{path, imageBeside(path).string()}
-                      : std::vector<std::string>{path};
+  return isYamlPath(path) ? std::vector<std::string>{path, imageBeside(path).string()}
+                          : std::vector<std::string>{path};
 }
 
 bool canSaveMap(const std::string& path) {
@@ -58,7 +53,7 @@ void saveMap(const Map& map, const std::string& path, OutputFiles& files) {
                     ".png or .pgm");
   }
   const std::string extension = pathExtension(path);
-  if (isYaml(path)) {
+  if (isYamlPath(path)) {
     saveRosMap(map, path, files);
   } else if (extension == ".png" || extension == ".pgm") {
     files.write(path,
