@@ -4,6 +4,7 @@
 #include "io/scratch_folder.h"
 #include "sbox/io/file_error.h"
 #include "sbox/io/load_map.h"
+#include "sbox/io/save_map.h"
 
 using namespace sbox;
 
@@ -43,4 +44,13 @@ TEST_CASE("a device is not read", "[load_map]") {
   const ScratchFolder folder;
   std::filesystem::create_symlink("/dev/zero", folder.path("a.gridmap"));
   CHECK_THROWS_AS(loadMap(folder.path("a.gridmap")), FileError);
+}
+
+TEST_CASE("the image of a .yaml is read with it", "[load_map]") {
+  const ScratchFolder folder;
+  const std::string yaml = folder.path("m.yaml");
+  saveMap(makeMap("m", 20, 10, 0.05), yaml);
+  CHECK(filesRead(yaml) == std::vector<std::string>{yaml, folder.path("m.pgm")});
+  CHECK(filesRead("none.yaml") == std::vector<std::string>{"none.yaml"});
+  CHECK(filesRead("m.gridmap") == std::vector<std::string>{"m.gridmap"});
 }
