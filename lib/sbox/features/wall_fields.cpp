@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 #include "sbox/core/round.h"
 
@@ -50,31 +49,27 @@ void offer(const WallFields& fields, const Eigen::Vector2d& position, std::uint1
   }
 }
 
-/// A wall point on its way into the field of a sector.
-struct Offered {
-  std::uint64_t place;  ///< Grows row by row, and along a row, of the field's cells.
-  Eigen::Vector2d position;
-  std::uint16_t index;
-};
-
-/// The points that face each sector, row by row: they come scattered, but neighbours one after the
-/// other find their cells in the cache.
-std::array<std::vector<Offered>, kSectors> bySector(const std::vector<WallPoint>& points,
-                                                    double resolution, double overlap) {
-  std::array<std::vector<Offered>, kSectors> facing;
+/// The indices of the points that face each sector, row by row of the field's cells: they come
+/// scattered, but neighbours one after the other find their cells in the cache.
+std::array<std::vector<std::uint16_t>, kSectors> bySector(const std::vector<WallPoint>& points,
+                                                          double resolution, double overlap) {
+  // Row, column and index in one number, which sorts fastest.
+  std::array<std::vector<std::uint64_t>, kSectors> keys;
+  constexpr int bits = 24, index_bits = 16;
+  const auto cell = [&](double place) {
+    return static_cast<std::uint64_t>(floorToInt(place / resolution)) & ((1U << bits) - 1);
+  };
   for (size_t i = 0; i < std::min(points.size(), size_t{WallFields::most_points}); ++i) {
     const Eigen::Vector2d& position = points[i].position;
-    const auto row = static_cast<std::uint32_t>(floorToInt(position.y() / resolution));
-    const auto column = static_cast<std::uint32_t>(floorToInt(position.x() / resolution));
-    forEachSector(points[i].normal, overlap, [&](size_t sector) {
-      facing[sector].push_back(
-          {std::uint64_t{row} << 32 | column, position, static_cast<std::uint16_t>(i)});
-    });
+    const std::uint64_t key = (cell(position.y()) << bits | cell(position.x())) << index_bits | i;
+    forEachSector(points[i].normal, overlap, [&](size_t sector) { keys[sector].push_back(key); });
   }
-  for (std::vector<Offered>& offered : facing) {
-    std::sort(offered.begin(), offered.end(), [](const Offered& left, const Offered& right) {
-      return std::tie(left.place, left.index) < std::tie(right.place, right.index);
-    });
+  std::array<std::vector<std::uint16_t>, kSectors> facing;
+  for (size_t sector = 0; sector < kSectors; ++sector) {
+    std::sort(keys[sector].begin(), keys[sector].end());
+    for (const std::uint64_t key : keys[sector]) {
+      facing[sector].push_back(static_cast<std::uint16_t>(key));
+    }
   }
   return facing;
 }
@@ -174,14 +169,16 @@ class ChamferBand {
     }
   }
 
-  /// Steps along a run of free cells; at its ends there is what is not free.
+  /// Steps along a run of free cells; at its ends there is what is not free. Each cell waits for
+  /// the one before it, so what it waits for is but one minimum: less the way along the run.
   template <typename Iterator>
   void stepAlong(Iterator cell, Iterator end) const {
     const int side = side_;
-    int distance = 0;
+    int way = 0, least = 0;
     for (; cell != end; ++cell) {
-      distance = std::min<int>(distance + side, *cell);
-      *cell = static_cast<std::uint16_t>(distance);
+      way += side;
+      least = std::min(least, *cell - way);
+      *cell = static_cast<std::uint16_t>(least + way);
     }
   }
 
@@ -269,8 +266,8 @@ WallFields makeFields(const StateGrid& grid, const std::vector<WallPoint>& point
     std::vector<std::uint16_t>& nearest = fields.nearest[sector];
     squared.assign(count, nothing);
     nearest.assign(count, WallFields::none);
-    for (const Offered& point : facing[sector]) {
-      offer(fields, point.position, point.index, radius, squared, nearest);
+    for (const std::uint16_t index : facing[sector]) {
+      offer(fields, points[index].position, index, radius, squared, nearest);
     }
     std::vector<std::uint8_t>& distances = fields.distances[sector];
     distances.resize(count);
