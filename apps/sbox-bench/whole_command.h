@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the sbox-merge authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the whole of `sbox-merge` takes, beside what loading, saving and drawing take alone: the
-// floor that our own stages are held against, in the same run on the same machine.
+// What the stages of `sbox-merge` take together, beside what loading, saving and drawing take
+// alone: the floor that our own stages are held against, in the same run on the same machine.
 #pragma once
 
 #include "sbox-bench/score_table.h"

@@ -3,9 +3,7 @@
 #include "sbox-bench/write_answers.h"
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "sbox/io/pair_json.h"
 

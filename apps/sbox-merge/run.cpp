@@ -2,16 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox-merge/run.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
 #include "sbox-merge/group_key_frames.h"
 #include "sbox-merge/interrupt.h"
 #include "sbox-merge/load_inputs.h"
+#include "sbox-merge/output_names.h"
 #include "sbox-merge/progress_line.h"
 #include "sbox-merge/write_outputs.h"
 #include "sbox/config/config_file.h"
 #include "sbox/io/file_error.h"
+#include "sbox/io/save_map.h"
 #include "sbox/io/share_file.h"
 #include "sbox/merge.h"
 #include "sbox/report/summary.h"
@@ -28,18 +31,17 @@ void tellDetails(const MergeResult& result, const GroupKeyFrames& key_frames) {
   }
 }
 
-/// Of the outputs that are only written where something was merged, those there are: what an
-/// earlier run made.
-std::vector<std::string> outputsOfEarlierRun(const Arguments& arguments) {
-  std::vector<std::string> there;
-  for (const std::string& file :
-       {arguments.output, arguments.simplemap, arguments.tf, arguments.graph}) {
+/// The outputs that are only written where something was merged and are there all the same.
+std::vector<std::string> outputsLeft(const Arguments& arguments) {
+  std::vector<std::string> files = filesOfMap(arguments.output);
+  files.insert(files.end(), {pictureBeside(arguments.output), arguments.simplemap, arguments.tf,
+                             arguments.graph});
+  const auto is_missing = [](const std::string& file) {
     std::error_code ignored;
-    if (!file.empty() && std::filesystem::exists(file, ignored)) {
-      there.push_back(file);
-    }
-  }
-  return there;
+    return file.empty() || !std::filesystem::exists(file, ignored);
+  };
+  files.erase(std::remove_if(files.begin(), files.end(), is_missing), files.end());
+  return files;
 }
 
 void tellWarnings(const Arguments& arguments, const MergeResult& result) {
@@ -51,8 +53,8 @@ void tellWarnings(const Arguments& arguments, const MergeResult& result) {
                        arguments.inputs[static_cast<size_t>(result.reference)]);
   }
   if (result.merged.empty()) {
-    for (const std::string& file : outputsOfEarlierRun(arguments)) {
-      warnings.push_back(file + " is that of an earlier run, as nothing was merged");
+    for (const std::string& file : outputsLeft(arguments)) {
+      warnings.push_back(file + " is left as it was, as nothing was merged");
     }
   }
   for (const std::string& warning : warnings) {

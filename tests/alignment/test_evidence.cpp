@@ -281,5 +281,7 @@ TEST_CASE("walls conflict more the deeper they stand in free space", "[alignment
   CHECK(conflictWeight(5, options) == 1);
   options.conflict_from = options.conflict_full;
   CHECK(conflictWeight(0.59, options) == 0);
+  CHECK(conflictWeight(0, {0.5, 0, 0}) == 0);
+  CHECK(conflictWeight(0.01, {0.5, 0, 0}) == 1);
   CHECK(conflictWeight(0.6, options) == 1);
 }

@@ -91,6 +91,8 @@ TEST_CASE("maps of different places are refused and nothing is merged") {
   checkContains(outcome.out, "0 of 2 maps merged, hall.gridmap in a.yaml: ");
   CHECK(contents(floors.folder / "merged.gridmap") == "precious");
   CHECK_FALSE(fs::exists(floors.folder / "merged.png"));
+  CHECK(outcome.err ==
+        "sbox-merge: warning: merged.gridmap is left as it was, as nothing was merged\n");
   const json report = floors.report();
   CHECK(report["status"] == "refused");
   CHECK(report["merged"].is_null());

@@ -109,6 +109,14 @@ TEST_CASE("the origin is kept exactly, with its yaw", "[ros_map_file]") {
   CHECK(drawing(map) == std::vector<std::string>{"#.", " ."});
 }
 
+TEST_CASE("a yaw may be a full turn, however rounded", "[ros_map_file]") {
+  const ScratchFolder folder;
+  folder.write("a.pgm", four_pixels);
+  const std::string path =
+      folder.write("a.yaml", "image: a.pgm\nresolution: 0.05\norigin: [0, 0, -6.2832]\n");
+  CHECK(loadMap(path).corner_in_map.phi == Approx(-6.2832));
+}
+
 TEST_CASE("what a .yaml leaves out has ROS's defaults", "[ros_map_file]") {
   const ScratchFolder folder;
   folder.write("a.pgm", four_pixels);

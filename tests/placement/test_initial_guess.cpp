@@ -58,6 +58,26 @@ TEST_CASE("a wrong guess is overruled by maps that are sure") {
   CHECK(place(pair, {{0, {}, 1, 0.1}, {1, {9, 0, 0}, 1, 0.1}}).overruled.empty());
 }
 
+TEST_CASE("of many guesses the one that is wrong is told") {
+  // Three maps in a row, 5 m from each to the next.
+  Map room = makeMap("room", 100, 100, 0.1, {-5, -5, 0});
+  room.grid.fill(0.9F);
+  MapPair first = twoWays(Verdict::Accepted, 0.999, 1e-4), second = first;
+  second.a = 1;
+  second.b = 2;
+  for (const int wrong : {0, 1, 2}) {
+    std::vector<InitialGuess> guesses{
+        {0, {0, 0, 0}, 0.5, 0.1}, {1, {5, 0, 0}, 0.5, 0.1}, {2, {10, 0, 0}, 0.5, 0.1}};
+    guesses[static_cast<size_t>(wrong)].pose.y = 60;
+    const PlacementResult placed =
+        placeMaps(std::vector<Footprint>(3, footprintOf(room)), {first, second}, {}, {}, guesses);
+    INFO("map " << wrong);
+    REQUIRE(placed.groups.size() == 1);
+    REQUIRE(placed.overruled.size() == 1);
+    CHECK(placed.overruled[0].map == wrong);
+  }
+}
+
 TEST_CASE("a guess that is far off makes a doubtful pair more doubtful, unless it is vague") {
   const MapPair pair = twoWays(Verdict::Accepted, 0.8, 0.01);
   CHECK(place(pair, {{0, {}, 1, 0.1}, {1, {40, 0, 3}, 1, 0.1}}).groups.size() == 2);

@@ -9,6 +9,8 @@ using Names = std::vector<std::string>;
 TEST_CASE("short names are the stems of the paths") {
   CHECK(shortNames({"maps/r1.gridmap.gz", "../r2.yaml", "r3.v2.png"}) ==
         Names{"r1", "r2", "r3_v2"});
+  CHECK(shortNames({"a/MAP.PNG", "b.ppm", "c.RAWLOG.gz", "d.txt"}) ==
+        Names{"MAP", "b", "c", "d_txt"});
 }
 
 TEST_CASE("short names are safe in file names") {

@@ -100,6 +100,9 @@ EvidenceWeights::EvidenceWeights(const EvidenceOptions& options)
 }
 
 double conflictWeight(double depth, const EvidenceOptions& options) {
+  if (depth <= 0) {
+    return 0;  // Not free.
+  }
   if (depth >= options.conflict_full) {
     return 1;
   }

@@ -138,7 +138,8 @@ RosYaml loadRosYaml(const std::string& path) {
   yaml.resolution = values.number("resolution", values.requiredText("resolution"));
   checkResolution(path, yaml.resolution);
   yaml.origin = values.pose("origin");
-  if (std::abs(yaml.origin.phi) > 2 * M_PI) {
+  constexpr double most_yaw = 6.3;  // A full turn, however it was rounded.
+  if (std::abs(yaml.origin.phi) > most_yaw) {
     values.fail("origin", "has a yaw beyond a full turn; it is in radians");
   }
   checkCorner(path, yaml.origin);

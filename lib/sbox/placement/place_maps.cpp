@@ -9,6 +9,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 #include "sbox/placement/pair_evidence.h"
 #include "sbox/placement/settled_group.h"
@@ -73,26 +74,34 @@ void placeMembers(const SettledGroup& settled, const MapGroup& group, int number
   }
 }
 
-/// Adds the members that lie elsewhere than their guesses say, beside the first with a guess.
-void addOverruled(const MapGroup& group, const std::vector<const InitialGuess*>& guess_of,
-                  const std::vector<Footprint>& shapes, PlacementResult& result) {
-  const InitialGuess* first = nullptr;
+/// The members that lie elsewhere than their guesses say, beside the one with whose guess most
+/// others agree.
+std::vector<OverruledGuess> overruledIn(const MapGroup& group,
+                                        const std::vector<const InitialGuess*>& guess_of,
+                                        const std::vector<Footprint>& shapes,
+                                        const std::vector<MapPlacement>& placed) {
+  std::vector<const InitialGuess*> guesses;
   for (const int member : group.members) {
-    const auto b = static_cast<size_t>(member);
-    if (guess_of[b] == nullptr) {
-      continue;
-    }
-    if (first == nullptr) {
-      first = guess_of[b];
-      continue;
-    }
-    const auto a = static_cast<size_t>(first->map);
-    const Pose2D pose_b_in_a = inverse(result.maps[a].pose) + result.maps[b].pose;
-    if (const auto overruled =
-            overruledGuess(*first, *guess_of[b], shapes[a], shapes[b], pose_b_in_a)) {
-      result.overruled.push_back(*overruled);
+    if (const InitialGuess* guess = guess_of[static_cast<size_t>(member)]) {
+      guesses.push_back(guess);
     }
   }
+  std::vector<OverruledGuess> fewest;
+  for (const InitialGuess* beside : guesses) {
+    const auto a = static_cast<size_t>(beside->map);
+    std::vector<OverruledGuess> overruled;
+    for (const InitialGuess* guess : guesses) {
+      const auto b = static_cast<size_t>(guess->map);
+      const Pose2D pose_b_in_a = inverse(placed[a].pose) + placed[b].pose;
+      if (const auto found = overruledGuess(*beside, *guess, shapes[a], shapes[b], pose_b_in_a)) {
+        overruled.push_back(*found);
+      }
+    }
+    if (beside == guesses.front() || overruled.size() < fewest.size()) {
+      fewest = std::move(overruled);
+    }
+  }
+  return fewest;
 }
 
 }  // namespace
@@ -125,7 +134,8 @@ PlacementResult placeMaps(const std::vector<Footprint>& maps, const std::vector<
       group.reference = *reference;
     }
     placeMembers(settled[number], group, static_cast<int>(number), result.maps);
-    addOverruled(group, guess_of, maps, result);
+    const std::vector<OverruledGuess> overruled = overruledIn(group, guess_of, maps, result.maps);
+    result.overruled.insert(result.overruled.end(), overruled.begin(), overruled.end());
     result.groups.push_back(std::move(group));
   }
   const auto largest = std::max_element(result.groups.begin(), result.groups.end(),

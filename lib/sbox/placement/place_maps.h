@@ -41,8 +41,8 @@ struct PlacementResult {
   int largest = 0;                 ///< The group with most members; of equals the first.
   /// What became of each pair, in the order given; see MapPair::settlement.
   std::vector<std::optional<PairSettlement>> settlements;
-  /// The maps that lie elsewhere in their group than their guesses say, beside the first that has
-  /// one.
+  /// The maps that lie elsewhere in their group than their guesses say, beside the map with whose
+  /// guess most others agree.
   std::vector<OverruledGuess> overruled;
 };
 

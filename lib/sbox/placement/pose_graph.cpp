@@ -91,7 +91,8 @@ PoseGraphSolution solvePoseGraph(const std::vector<Pose2D>& start, int reference
     solver.function_tolerance = 1e-12;
     solver.parameter_tolerance = 1e-12;
     ceres::Solver::Summary summary;
-    // A narrow loss has several minima; which is reached shall not depend on the start.
+    // A narrow loss has several minima; by way of wider ones that which is reached hardly depends
+    // on the start.
     for (const double widening : {64, 16, 4, 1}) {
       loss.Reset(new ceres::CauchyLoss(widening * options.loss_scale), ceres::TAKE_OWNERSHIP);
       ceres::Solve(solver, &problem, &summary);

@@ -26,7 +26,7 @@ struct GraphEdge {
 /// Options of the solution.
 struct PoseGraphOptions {
   double loss_scale = 2;  ///< Of Cauchy's loss, in standard deviations of an edge.
-  int iterations = 50;    ///< At most.
+  int iterations = 50;    ///< At most, for each of four losses that narrow to this scale.
 };
 
 /// What fits best.

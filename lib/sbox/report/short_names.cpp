@@ -10,6 +10,8 @@
 #include <set>
 
 #include "sbox/core/lower_case.h"
+#include "sbox/io/image_file.h"
+#include "sbox/io/path_extension.h"
 
 namespace sbox {
 namespace {
@@ -27,12 +29,13 @@ std::string safe(std::string name) {
 std::string stemOf(const std::string& path) {
   const size_t slash = path.find_last_of('/');
   std::string stem = slash == std::string::npos ? path : path.substr(slash + 1);
-  for (const char* extension : {".gz", ".gridmap", ".yaml", ".yml", ".png", ".pgm", ".bmp", ".jpg",
-                                ".jpeg", ".tif", ".tiff", ".simplemap", ".rawlog"}) {
-    const std::string end(extension);
-    if (stem.size() > end.size() && stem.compare(stem.size() - end.size(), end.size(), end) == 0) {
-      stem.resize(stem.size() - end.size());
-    }
+  const std::string extension = pathExtension(stem);
+  const bool is_map = isImagePath(stem) || isYamlPath(stem) || extension == ".gridmap" ||
+                      extension == ".gridmap.gz" || extension == ".simplemap" ||
+                      extension == ".simplemap.gz" || extension == ".rawlog" ||
+                      extension == ".rawlog.gz";
+  if (is_map && stem.size() > extension.size()) {
+    stem.resize(stem.size() - extension.size());
   }
   return stem;
 }

@@ -47,7 +47,7 @@ std::string pairText(const MergeResult& result, const MapPair& pair) {
   }
   if (found.verdict == Verdict::Accepted && groupOf(result, pair.a) != groupOf(result, pair.b)) {
     text += is_one_of_many ? "; not taken: no other pair bears it out"
-                           : "; not taken: where the maps are said to lie, it is not";
+                           : "; not taken: --initial speaks against it";
   }
   return text;
 }
