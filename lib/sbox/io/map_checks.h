@@ -19,8 +19,7 @@ void checkMapSize(const std::string& path, std::int64_t width, std::int64_t heig
 /// NaN is not.
 void checkResolution(const std::string& path, double resolution);
 
-/// Throws FileError naming `path` unless the corner lies within max_position of zero and is turned
-/// by no more than 1000 full turns; NaN is not.
+/// Throws FileError naming `path` unless the corner lies within max_position of zero; NaN does not.
 void checkCorner(const std::string& path, const Pose2D& corner_in_map);
 
 }  // namespace sbox

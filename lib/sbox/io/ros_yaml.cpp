@@ -139,7 +139,7 @@ RosYaml loadRosYaml(const std::string& path) {
   checkResolution(path, yaml.resolution);
   yaml.origin = values.pose("origin");
   constexpr double most_yaw = 6.3;  // A full turn, however it was rounded.
-  if (std::abs(yaml.origin.phi) > most_yaw) {
+  if (!(std::abs(yaml.origin.phi) <= most_yaw)) {
     values.fail("origin", "has a yaw beyond a full turn; it is in radians");
   }
   checkCorner(path, yaml.origin);

@@ -30,7 +30,8 @@ struct RefineOptions {
   PolishOptions polish;          ///< Of Ceres.
   CovarianceOptions covariance;  ///< Of what is reported.
   /// Distance of Kalman and Ceres beyond which something is amiss, metres; of bent maps, which no
-  /// one transform fits, as many times as large as they are rougher than `drift_free` ...
+  /// one transform fits, as many times as large as they are rougher than `drift_free`, or
+  /// than a millimetre, ...
   double large_difference = 0.5;
   double difference_odds = 0.2;  ///< ... so the odds of being right are multiplied by this.
 };
