@@ -2,19 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sbox-merge/run.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 
 #include "sbox-merge/group_key_frames.h"
 #include "sbox-merge/interrupt.h"
 #include "sbox-merge/load_inputs.h"
-#include "sbox-merge/output_names.h"
 #include "sbox-merge/progress_line.h"
 #include "sbox-merge/write_outputs.h"
 #include "sbox/config/config_file.h"
 #include "sbox/io/file_error.h"
-#include "sbox/io/save_map.h"
 #include "sbox/io/share_file.h"
 #include "sbox/merge.h"
 #include "sbox/report/summary.h"
@@ -31,19 +28,6 @@ void tellDetails(const MergeResult& result, const GroupKeyFrames& key_frames) {
   }
 }
 
-/// The outputs that are only written where something was merged and are there all the same.
-std::vector<std::string> outputsLeft(const Arguments& arguments) {
-  std::vector<std::string> files = filesOfMap(arguments.output);
-  files.insert(files.end(), {pictureBeside(arguments.output), arguments.simplemap, arguments.tf,
-                             arguments.graph});
-  const auto is_missing = [](const std::string& file) {
-    std::error_code ignored;
-    return file.empty() || !std::filesystem::exists(file, ignored);
-  };
-  files.erase(std::remove_if(files.begin(), files.end(), is_missing), files.end());
-  return files;
-}
-
 void tellWarnings(const Arguments& arguments, const MergeResult& result) {
   std::vector<std::string> warnings = warningLines(result);
   const std::optional<int>& wanted = arguments.merge.reference;
@@ -53,8 +37,11 @@ void tellWarnings(const Arguments& arguments, const MergeResult& result) {
                        arguments.inputs[static_cast<size_t>(result.reference)]);
   }
   if (result.merged.empty()) {
-    for (const std::string& file : outputsLeft(arguments)) {
-      warnings.push_back(file + " is left as it was, as nothing was merged");
+    for (const std::string& file : outputsOfMerge(arguments)) {
+      std::error_code ignored;
+      if (std::filesystem::exists(file, ignored)) {
+        warnings.push_back(file + " is left as it was, as nothing was merged");
+      }
     }
   }
   for (const std::string& warning : warnings) {

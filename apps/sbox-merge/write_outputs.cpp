@@ -140,6 +140,17 @@ class NewFolder {
 
 }  // namespace
 
+std::vector<std::string> outputsOfMerge(const Arguments& arguments) {
+  std::vector<std::string> files = filesOfMap(arguments.output);
+  files.push_back(pictureBeside(arguments.output));
+  for (const std::string& file : {arguments.tf, arguments.simplemap, arguments.graph}) {
+    if (!file.empty()) {
+      files.push_back(file);
+    }
+  }
+  return files;
+}
+
 void checkOutputs(const Arguments& arguments) {
   OutputFiles trial;
   protectInputs(arguments, trial);
@@ -147,12 +158,10 @@ void checkOutputs(const Arguments& arguments) {
     (void)trial.stage(arguments.report);
     return;
   }
-  for (const std::string& file : filesOfMap(arguments.output)) {
+  for (const std::string& file : outputsOfMerge(arguments)) {
     (void)trial.stage(file);
   }
-  (void)trial.stage(pictureBeside(arguments.output));
-  for (const std::string& file :
-       {arguments.report, arguments.html, arguments.tf, arguments.simplemap, arguments.graph}) {
+  for (const std::string& file : {arguments.report, arguments.html}) {
     if (!file.empty()) {
       (void)trial.stage(file);
     }

@@ -12,6 +12,10 @@
 
 namespace sbox::app {
 
+/// The outputs that are asked for and written only where something is merged, but for those of
+/// further groups.
+[[nodiscard]] std::vector<std::string> outputsOfMerge(const Arguments& arguments);
+
 /// Throws FileError if it is plain now that an output cannot be written; writes nothing.
 void checkOutputs(const Arguments& arguments);
 

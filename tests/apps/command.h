@@ -40,4 +40,13 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
+/// Makes calls of the command that begin with these words.
+inline auto beginningWith(const std::vector<std::string>& words) {
+  return [words](const std::vector<std::string>& more) {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+}
+
 }  // namespace sbox::test

@@ -101,12 +101,7 @@ TEST_CASE("maps of different places are refused and nothing is merged") {
 
 TEST_CASE("of more maps the largest group is merged, or every group if asked for") {
   const Floors floors;
-  const Words in{"--in", "hall.gridmap", "a.yaml", "b.yaml"};
-  const auto with = [&](const Words& more) {
-    Words all = in;
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  };
+  const auto with = beginningWith({"--in", "hall.gridmap", "a.yaml", "b.yaml"});
   const Outcome outcome = floors.run(with({"--report", "r.json"}));
   CHECK(outcome.exit_code == 3);
   checkContains(outcome.out, "merged.gridmap: 2 of 3 maps merged in a.yaml\n");

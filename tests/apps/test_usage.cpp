@@ -68,12 +68,7 @@ TEST_CASE("wrong usage ends in 2 and says what is wrong") {
   checkFailure(folder, {"--in", "a.gridmap"}, 2, "--in needs two maps or more");
   checkFailure(folder, {"--in"}, 2, "--in");
   checkFailure(folder, {"--frobnicate"}, 2, "--frobnicate");
-  const Words in{"--in", "a.gridmap", "a.gridmap"};
-  const auto with = [&](const Words& more) {
-    Words all = in;
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  };
+  const auto with = beginningWith({"--in", "a.gridmap", "a.gridmap"});
   checkFailure(folder, with({"--reference", "2"}), 2, "--reference must be from 0 to 1, not 2");
   checkFailure(folder, with({"--reference", "-1"}), 2, "--reference");
   checkFailure(folder, with({"--reference", "x"}), 2, "--reference");
@@ -135,12 +130,7 @@ TEST_CASE("a map that cannot be used ends in 1 and is named") {
 TEST_CASE("shares that cannot be joined end in 1 and are named") {
   const ScratchFolder folder;
   saveMap(office("a", 1), folder / "a.gridmap");
-  const Words in{"--in", "a.gridmap", "a.gridmap"};
-  const auto with = [&](const Words& more) {
-    Words all = in;
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  };
+  const auto with = beginningWith({"--in", "a.gridmap", "a.gridmap"});
   const Words share = with({"--pairs", "1/2", "--report", "one.json", "-q"});
   REQUIRE(runMerge(folder.path(), share).exit_code == 0);
   checkFailure(folder, with({"--join", "none.json"}), 1, "none.json: ");
@@ -156,11 +146,7 @@ TEST_CASE("shares that cannot be joined end in 1 and are named") {
 TEST_CASE("an output that cannot be written ends in 1 and leaves the others unwritten") {
   const ScratchFolder folder;
   saveMap(office("a", 1), folder / "a.gridmap");
-  const auto with = [](const Words& more) {
-    Words all{"--in", "a.gridmap", "a.gridmap"};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  };
+  const auto with = beginningWith({"--in", "a.gridmap", "a.gridmap"});
   checkFailure(folder, with({"--out", "nowhere/m.gridmap"}), 1, "nowhere/m.gridmap: ");
   checkFailure(folder, with({"--report", "nowhere/r.json"}), 1, "nowhere/r.json: ");
   checkFailure(folder, with({"--pictures", "a.gridmap"}), 1, "a.gridmap: ");
@@ -178,12 +164,7 @@ TEST_CASE("an output in the place of what is read ends in 1") {
   saveMap(office("a", 1), folder / "a.yaml");  // With a.pgm.
   saveMap(office("a", 1), folder / "b.gridmap");
   write(folder / "c.ini", "[fusion]\n");
-  const Words in{"--in", "a.yaml", "./b.gridmap"};
-  const auto with = [&](const Words& more) {
-    Words all = in;
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  };
+  const auto with = beginningWith({"--in", "a.yaml", "./b.gridmap"});
   checkFailure(folder, with({"--out", "b.gridmap"}), 1, "b.gridmap: is an input");
   checkFailure(folder, with({"--out", "a.gridmap", "--report", "a.pgm"}), 1,
                "a.pgm: is the image of the input a.yaml");

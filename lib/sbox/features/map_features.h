@@ -61,10 +61,9 @@ struct MapFeatures {
   std::vector<Eigen::Vector2d> free_points;  ///< On a square lattice in free space; scattered too.
   double free_point_area = 0;                ///< Area that each stands for, square metres.
   std::vector<FrameFeatures> frames;         ///< The strongest first.
-  double slope_spread = 0;  ///< How bent the map is in itself: slopeSpread() of the first frame.
-  WallFields fields;        ///< To ask how far a wall is from anywhere.
-  std::uint64_t digest =
-      0;  ///< Of the working cells: orders a pair of maps whichever way it was given.
+  double slope_spread = 0;   ///< How bent the map is in itself: slopeSpread() of the first frame.
+  WallFields fields;         ///< To ask how far a wall is from anywhere.
+  std::uint64_t digest = 0;  ///< Of the working cells, for comesFirst().
 
   /// Whether there is no wall to match.
   [[nodiscard]] bool empty() const { return wall_points.empty(); }

@@ -131,8 +131,8 @@ class EdgeFinder {
 
   const StateGrid& cells_;
   const SharpenOptions& options_;
-  std::vector<double> steps_;  ///< Offsets that are looked at, from the free side on.
-  std::vector<double> steps_in_cells_;
+  std::vector<double> steps_;           ///< Offsets that are looked at, from the free side on.
+  std::vector<double> steps_in_cells_;  ///< The same in cells.
   std::vector<Edge> edges_;
   std::vector<double> offsets_;
 };
