@@ -10,6 +10,7 @@
 #include "sbox/core/logit.h"
 #include "sbox/core/parallel.h"
 #include "sbox/match_pair.h"
+#include "sbox/verification/same_answer.h"
 
 namespace sbox::bench {
 namespace {
@@ -129,7 +130,9 @@ std::vector<VerdictSample> collectSamples(const LoadedFolder& loaded, size_t fol
     samples[k].folder = folder;
     samples[k].folder_weight = folder_weight;
     PairSeconds seconds;
-    for (const Fit& fit : findFits(features[a], features[b], options, seconds)) {
+    std::vector<Fit> fits = findFits(features[a], features[b], options, seconds);
+    mergeAnswers(features[a], features[b], fits, options.same);
+    for (const Fit& fit : fits) {
       const Pose2D pose = framePose(features[a], features[b], fit.b_in_a);
       const std::optional<PoseError> error = poseError(
           loaded.folder.pairs[k], loaded.folder.resolution,

@@ -27,7 +27,7 @@ struct PairOptions {
   VoteOptions votes;                     ///< Transforms that features propose.
   GuessOptions guess;                    ///< Where to look first if somebody knows roughly.
   CorrelationSearchOptions correlation;  ///< The search where features propose nothing sure.
-  double sure = 0.995;  ///< Probability from which the search ends with what the features proposed.
+  double sure = 0.999;  ///< Probability from which the search ends with what the features proposed.
   RankingOptions ranking;  ///< Which transforms fit the cells.
   SameAnswerOptions same;  ///< Which fits are one answer.
   VerdictOptions verdict;  ///< When to accept.

@@ -14,22 +14,40 @@ using test::ScatteredMap;
 
 namespace {
 
+/// Depths are counted along straight and diagonal steps, 5 % off at most, and rounded.
+struct Depth {
+  double least, most;
+
+  explicit Depth(double exact) : least(0.95 * exact - 0.008), most(1.05 * exact + 0.008) {}
+};
+
+/// What depends on depth lies between these.
+struct Bounds {
+  double least = 0, most = 0;
+
+  void add(const Bounds& other) {
+    least += other.least;
+    most += other.most;
+  }
+};
+
 struct CountedWalls {
   double known = 0, agree = 0;
-  double least_conflict = 0, most_conflict = 0;
+  Bounds conflict;
 
   void add(const CountedWalls& other) {
     known += other.known;
     agree += other.agree;
-    least_conflict += other.least_conflict;
-    most_conflict += other.most_conflict;
+    conflict.add(other.conflict);
   }
 };
 
 /// What one map's walls and free points say, each asked by itself.
 struct Counted {
   CountedWalls all, straight;
+  Bounds shallow_conflict, deep_conflict;
   double free_free = 0;
+  Bounds free_shallow;
   Eigen::Matrix2d facing = Eigen::Matrix2d::Zero();  ///< In the frame of the map that is asked.
 };
 
@@ -90,18 +108,29 @@ Counted count(const ScatteredMap& from, const ScatteredMap& to, const RigidTrans
     const double agree =
         exact <= 2 ? std::exp(-0.5 * distance * distance / (options.kernel * options.kernel)) : 0.0;
     sum.facing += agree * normal * normal.transpose();
-    // Depths are counted along straight and diagonal steps: 5 % off at most.
-    const CountedWalls one = {depth > 0 ? 1 : agree, agree,
-                              conflictWeight(0.95 * depth - 0.005, options) * (1 - agree),
-                              conflictWeight(1.05 * depth + 0.005, options) * (1 - agree)};
+    const Depth about(depth);
+    const Bounds conflict = {conflictWeight(about.least, options) * (1 - agree),
+                             conflictWeight(about.most, options) * (1 - agree)};
+    const CountedWalls one = {depth > 0 ? 1 : agree, agree, conflict};
     sum.all.add(one);
     if (wall.line_length >= options.straight_from) {
       sum.straight.add(one);
+      sum.shallow_conflict.add({about.most <= options.shallow_until ? conflict.least : 0,
+                                about.least <= options.shallow_until ? conflict.most : 0});
+      sum.deep_conflict.add({deepWeight(about.least, options) * (1 - agree),
+                             deepWeight(about.most, options) * (1 - agree)});
     }
   }
   for (const Vector2d& free : from.features.free_points) {
     const Vector2d p = transform * free;
-    sum.free_free += isInside(fields, p) && depthAt(to.grid, cellMiddle(fields, p)) > 0 ? 1 : 0;
+    const double there = isInside(fields, p) ? depthAt(to.grid, cellMiddle(fields, p)) : 0;
+    if (there > 0) {
+      const double here = depthAt(from.grid, cellMiddle(from.features.fields, free));
+      const Depth about(std::min(there, here));
+      sum.free_free += 1;
+      sum.free_shallow.add({about.most <= options.shallow_until ? 1.0 : 0.0,
+                            about.least <= options.shallow_until ? 1.0 : 0.0});
+    }
   }
   return sum;
 }
@@ -117,13 +146,18 @@ RigidTransform randomTransform(std::mt19937& random) {
           middle + Vector2d(shift(random), shift(random)) - Eigen::Rotation2Dd(heading) * middle};
 }
 
+/// What is found lies between bounds counted in points that stand for so much each.
+void checkBounds(double found, double of_point, const Bounds& there, const Bounds& back) {
+  CHECK(found >= of_point * (there.least + back.least) - 1e-6);
+  CHECK(found <= of_point * (there.most + back.most) + 1e-6);
+}
+
 /// What is found, in metres, is what was counted in points of 0.2 m.
 void checkSums(const WallSums& found, const CountedWalls& there, const CountedWalls& back) {
   const auto near = [](double points) { return Approx(0.2 * points).epsilon(1e-3).margin(0.01); };
   CHECK(found.agree == near(there.agree + back.agree));
   CHECK(found.known == near(there.known + back.known));
-  CHECK(found.conflict >= 0.2 * (there.least_conflict + back.least_conflict) - 1e-6);
-  CHECK(found.conflict <= 0.2 * (there.most_conflict + back.most_conflict) + 1e-6);
+  checkBounds(found.conflict, 0.2, there.conflict, back.conflict);
 }
 
 void checkAlike(const Evidence& left, const Evidence& right, double tolerance) {
@@ -134,32 +168,51 @@ void checkAlike(const Evidence& left, const Evidence& right, double tolerance) {
   CHECK(left.straight.known == near(right.straight.known));
   CHECK(left.straight.agree == near(right.straight.agree));
   CHECK(left.straight.conflict == near(right.straight.conflict));
+  CHECK(left.shallow_conflict == near(right.shallow_conflict));
+  CHECK(left.deep_conflict == near(right.deep_conflict));
   CHECK(left.free_free == near(right.free_free));
+  CHECK(left.free_shallow == near(right.free_shallow));
 }
 
 }  // namespace
 
 TEST_CASE("evidence is what each wall and each free point says by itself", "[alignment]") {
   std::mt19937 random(5);
-  double agreed = 0, conflicted = 0;
+  EvidenceOptions options;
+  options.shallow_until = 0.7;
+  options.deep_from = 0.8;
+  options.deep_full = 1.2;
+  double agreed = 0, conflicted = 0, shallow = 0, deep = 0, free_shallow = 0, free_deep = 0;
   for (unsigned seed = 1; seed <= 6; ++seed) {
     const ScatteredMap a = test::scatteredMap(seed), b = test::scatteredMap(seed + 100, 50);
     const RigidTransform b_in_a = randomTransform(random);
     INFO("seed " << seed);
-    const Evidence found = gatherEvidence(a.features, b.features, b_in_a);
-    const Counted there = count(b, a, b_in_a), back = count(a, b, b_in_a.inverse());
+    const Evidence found = gatherEvidence(a.features, b.features, b_in_a, kAllPoints, options);
+    const Counted there = count(b, a, b_in_a, options);
+    const Counted back = count(a, b, b_in_a.inverse(), options);
     checkSums(found, there.all, back.all);
     checkSums(found.straight, there.straight, back.straight);
+    checkBounds(found.shallow_conflict, 0.2, there.shallow_conflict, back.shallow_conflict);
+    checkBounds(found.deep_conflict, 0.2, there.deep_conflict, back.deep_conflict);
     CHECK(found.free_free == Approx(0.5 * 0.16 * (there.free_free + back.free_free)));
+    checkBounds(found.free_shallow, 0.5 * 0.16, there.free_shallow, back.free_shallow);
     const Eigen::Matrix2d turn = Eigen::Rotation2Dd(b_in_a.heading).toRotationMatrix();
     const Eigen::Matrix2d facing = 0.2 * (there.facing + turn * back.facing * turn.transpose());
     CHECK((found.facing - facing).norm() < 0.02);
     agreed += found.straight.agree;
     conflicted += found.straight.conflict;
+    shallow += found.shallow_conflict;
+    deep += found.deep_conflict;
+    free_shallow += found.free_shallow;
+    free_deep += found.free_free - found.free_shallow;
   }
   // Else nothing was tested.
   CHECK(agreed > 5);
   CHECK(conflicted > 10);
+  CHECK(shallow > 2);
+  CHECK(deep > 5);
+  CHECK(free_shallow > 10);
+  CHECK(free_deep > 10);
 }
 
 TEST_CASE("an overlap alone is that of the whole evidence", "[alignment]") {
@@ -259,6 +312,34 @@ TEST_CASE("a map agrees with itself and conflicts nowhere", "[alignment]") {
   CHECK(apart.free_free == 0);
 }
 
+TEST_CASE("the middle of a hall is not shallow, a corridor is", "[alignment]") {
+  const auto alone = [](double width, double height) {
+    const MapFeatures map =
+        extractFeatures(test::exploreMap(test::roomFloor(width, height), {}, 0.1));
+    return gatherEvidence(map, map, {});
+  };
+  const Evidence hall = alone(20, 20), corridor = alone(20, 3);
+  CHECK(hall.free_free == Approx(20 * 20).epsilon(0.05));
+  CHECK(hall.free_shallow == Approx(20 * 20 - 16 * 16).epsilon(0.1));
+  CHECK(corridor.free_free == Approx(20 * 3).epsilon(0.1));
+  CHECK(corridor.free_shallow == corridor.free_free);
+}
+
+TEST_CASE("a wall in the middle of a hall lies deep, one beside its wall does not", "[alignment]") {
+  const MapFeatures hall = extractFeatures(test::exploreMap(test::roomFloor(20, 20), {}, 0.1));
+  const MapFeatures room = extractFeatures(test::exploreMap(test::roomFloor(6, 6), {}, 0.1));
+  const Evidence middle = gatherEvidence(hall, room, {0, {7, 7}});
+  CHECK(middle.straight.conflict == Approx(4 * 6).epsilon(0.1));
+  CHECK(middle.deep_conflict == Approx(middle.straight.conflict));
+  CHECK(middle.shallow_conflict == 0);
+  // Two sides lie half a metre off the hall's, and two 6.5 m, as far as these are not near the
+  // first.
+  const Evidence beside = gatherEvidence(hall, room, {0, {0.5, 0.5}});
+  CHECK(beside.shallow_conflict > 3);
+  CHECK(beside.shallow_conflict < 9);
+  CHECK(beside.deep_conflict == Approx(2 * 3.5).margin(1));
+}
+
 TEST_CASE("rooms that fit are told from those that do not", "[alignment]") {
   const MapFeatures office =
       extractFeatures(test::exploreMap(test::officeFloor(), {2, 1, 0.3}, 0.1));
@@ -279,6 +360,12 @@ TEST_CASE("walls conflict more the deeper they stand in free space", "[alignment
   CHECK(conflictWeight(0.3, options) == Approx(0.25));
   CHECK(conflictWeight(0.6, options) == Approx(1));
   CHECK(conflictWeight(5, options) == 1);
+  options.deep_from = 2;
+  options.deep_full = 3;
+  CHECK(deepWeight(0, options) == 0);
+  CHECK(deepWeight(2, options) == 0);
+  CHECK(deepWeight(2.25, options) == Approx(0.25));
+  CHECK(deepWeight(3, options) == 1);
   options.conflict_from = options.conflict_full;
   CHECK(conflictWeight(0.59, options) == 0);
   CHECK(conflictWeight(0, {0.5, 0, 0}) == 0);

@@ -147,10 +147,10 @@ TEST_CASE("depth in free space is the distance to what is not free", "[features]
       if (grid.at(cx, cy) != CellState::Free) {
         nearest = 0;
       }
-      const double depth = fields.free_depth[indexOf(fields, column, row)] * WallFields::unit;
+      const double depth = fields.free_depth[indexOf(fields, column, row)] * WallFields::depth_unit;
       deep += nearest > 1 ? 1 : 0;
       // Distances are counted along straight and diagonal steps: 5 % off at most.
-      wrong += std::abs(depth - nearest) <= 0.05 * nearest + 0.006 ? 0 : 1;
+      wrong += std::abs(depth - nearest) <= 0.05 * nearest + 0.0085 ? 0 : 1;
     }
   }
   CHECK(deep > 100);
@@ -159,7 +159,7 @@ TEST_CASE("depth in free space is the distance to what is not free", "[features]
 
 TEST_CASE("depth that is worked out by bands is that of the whole grid", "[features]") {
   // Walls so far apart that most of the free space is as deep as can be told, over three bands.
-  StateGrid grid = test::freeGrid(90, 1300, 0.1);
+  StateGrid grid = test::freeGrid(150, 1300, 0.1);
   std::mt19937 random(3);
   for (int i = 0; i < 60; ++i) {
     grid.cells[random() % grid.cells.size()] = CellState::Occupied;
@@ -181,7 +181,7 @@ TEST_CASE("depth that is worked out by bands is that of the whole grid", "[featu
       const bool inside = x >= 0 && y >= 0 && x < grid.width && y < grid.height;
       const double metres =
           inside ? static_cast<double>(depth.at<float>(y + 1, x + 1)) * grid.resolution : 0;
-      const double expected = std::min(255.0, metres / WallFields::unit);
+      const double expected = std::min(255.0, metres / WallFields::depth_unit);
       const int found = fields.free_depth[indexOf(fields, column, row)];
       deepest += found == 255 ? 1 : 0;
       // Rounded, of steps across corners that count 1.369 cells here and 1.3693 there.
@@ -204,15 +204,16 @@ TEST_CASE("fields reach beyond the grid, and there are none of nothing", "[featu
 }
 
 TEST_CASE("depths are told apart as far in fine cells as in others", "[features]") {
-  // A hall of 6 m, whose middle is 3 m from the walls.
+  // A hall of 9 m, whose middle is 4.5 m from the walls.
   for (const double resolution : {0.01, 0.02, 0.1}) {
-    const int size = static_cast<int>(std::lround(6 / resolution));
+    const int size = static_cast<int>(std::lround(9 / resolution));
     const WallFields fields = makeFields(test::freeGrid(size, size, resolution), {});
     const auto depthAt = [&](double x) {
-      return fields.free_depth[static_cast<size_t>(fields.cellAt(x, 3))] * WallFields::unit;
+      return fields.free_depth[static_cast<size_t>(fields.cellAt(x, 4.5))] * WallFields::depth_unit;
     };
     INFO(resolution << " m");
-    CHECK(depthAt(3) == Approx(2.55));
+    CHECK(depthAt(4.5) == Approx(3.825));
+    CHECK(depthAt(3.1) == Approx(3.1).margin(0.2));
     CHECK(depthAt(2.1) == Approx(2.1).margin(0.2));
     CHECK(depthAt(1.1) == Approx(1.1).margin(0.15));
   }

@@ -26,7 +26,10 @@ std::vector<Fit> randomFits(unsigned seed, int count) {
       const double straight = between(0, 1);
       evidence->straight = {straight * evidence->known, straight * evidence->agree,
                             straight * evidence->conflict};
+      evidence->shallow_conflict = between(0, 1) * evidence->straight.conflict;
+      evidence->deep_conflict = evidence->straight.conflict - evidence->shallow_conflict;
       evidence->free_free = between(0, 400);
+      evidence->free_shallow = between(0, 1) * evidence->free_free;
       const double share = between(0, 1);
       evidence->facing =
           Eigen::Vector2d(share * evidence->agree, (1 - share) * evidence->agree).asDiagonal();
@@ -91,9 +94,30 @@ TEST_CASE("straight wall in conflict says more than as much clutter", "[verifica
   fits[1].bent_evidence.conflict += metres;
   fits[2].bent_evidence.conflict += metres;
   fits[2].bent_evidence.straight.conflict += metres;
+  fits[2].bent_evidence.shallow_conflict += metres;
   for (size_t i = 0; i + 1 < fits.size(); ++i) {
     CHECK(logOdds(verdictTerms(fits[i])) > logOdds(verdictTerms(fits[i + 1])));
   }
+}
+
+TEST_CASE("a wall that no drift has carried there says more than one that it may have",
+          "[verification]") {
+  Fit shallow = randomFits(3, 1).front();
+  shallow.bent_evidence.free_shallow = 200;
+  Fit deep = shallow;
+  shallow.bent_evidence.shallow_conflict += 5;
+  deep.bent_evidence.deep_conflict += 5;
+  CHECK(logOdds(verdictTerms(shallow)) > logOdds(verdictTerms(deep)) + std::log(5));
+}
+
+TEST_CASE("conflict is not made small by the middle of a hall", "[verification]") {
+  Fit rooms = randomFits(3, 1).front();
+  rooms.bent_evidence.free_free = rooms.bent_evidence.free_shallow = 100;
+  Fit hall = rooms;
+  hall.bent_evidence.free_free = 500;
+  CHECK(logOdds(verdictTerms(hall)) == logOdds(verdictTerms(rooms)));
+  hall.bent_evidence.free_shallow = 500;
+  CHECK(logOdds(verdictTerms(hall)) > logOdds(verdictTerms(rooms)));
 }
 
 TEST_CASE("a fit more bent than its maps is less probable where walls are bare", "[verification]") {

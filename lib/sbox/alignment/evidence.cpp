@@ -10,8 +10,9 @@
 namespace sbox {
 namespace {
 
-/// Calls note(i, wall) with what is found of each of the first `count` wall points of `from` in the
-/// fields of `to`, per metre of wall; `place` tells where a point of the one lies in the other.
+/// Calls note(i, wall, depth) with what is found of each of the first `count` wall points of `from`
+/// in the fields of `to`, per metre of wall, and how deep it lies there; `place` tells where a
+/// point of the one lies in the other.
 template <typename Place, typename Note>
 void lookWallsUp(const MapFeatures& from, const MapFeatures& to, double heading, const Place& place,
                  size_t count, const EvidenceWeights& weights, const Note& note) {
@@ -22,21 +23,25 @@ void lookWallsUp(const MapFeatures& from, const MapFeatures& to, double heading,
       [&](size_t i, std::uint8_t distance, std::uint8_t depth) {
         const double agree = weights.agree[distance];
         // Where the other map is free, it knows of the wall in full.
-        note(i, WallSums{std::max(agree, static_cast<double>(depth > 0)), agree,
-                         weights.conflict[depth] * (1 - agree)});
+        const WallSums wall = {std::max(agree, static_cast<double>(depth > 0)), agree,
+                               weights.conflict[depth] * (1 - agree)};
+        note(i, wall, depth);
       });
 }
 
-/// Free space of `from` that is free in `to`, square metres.
-template <typename Place>
-double freeInBoth(const MapFeatures& from, const MapFeatures& to, const Place& place,
-                  size_t most_points) {
-  const size_t count = std::min(most_points, from.free_points.size());
+/// Free space of `from` that is free in `to`, square metres. Calls note(i, depth) with how deep the
+/// i-th free point lies there.
+template <typename Place, typename Note>
+double freeInBoth(const MapFeatures& from, const MapFeatures& to, const Place& place, size_t count,
+                  const Note& note) {
   size_t free = 0;
   forEachDepth(
       to.fields, count, [&](size_t i) { return place(from.free_points[i]); },
-      [&](size_t, std::uint8_t depth) { free += depth > 0 ? 1 : 0; });
-  return count > 0 ? static_cast<double>(free) * (from.freeArea() / static_cast<double>(count)) : 0;
+      [&](size_t i, std::uint8_t depth) {
+        free += depth > 0 ? 1 : 0;
+        note(i, depth);
+      });
+  return static_cast<double>(free) * from.freeAreaPerPoint(count);
 }
 
 /// What measureOverlap() finds of the walls and the free space of `from` alone.
@@ -46,14 +51,17 @@ Overlap overlapOneWay(const MapFeatures& from, const MapFeatures& to, const Rigi
   const size_t count = std::min(most_points, from.wall_points.size());
   WallSums sum;
   lookWallsUp(from, to, to_from.heading, place, count, weights,
-              [&](size_t, const WallSums& wall) { sum += wall; });
-  return {from.wallLengthPerPoint(count) * sum, freeInBoth(from, to, place, most_points)};
+              [&](size_t, const WallSums& wall, std::uint8_t) { sum += wall; });
+  const size_t free_count = std::min(most_points, from.free_points.size());
+  return {from.wallLengthPerPoint(count) * sum,
+          freeInBoth(from, to, place, free_count, [](size_t, std::uint8_t) {})};
 }
 
 struct OneWay {
   Eigen::Matrix2d facing = Eigen::Matrix2d::Zero();  ///< In the frame of the walls' own map.
   WallSums straight, clutter;
-  double free_free = 0;
+  double shallow_conflict = 0, deep_conflict = 0;
+  double free_free = 0, free_shallow = 0;
 };
 
 /// The walls and free space of `from` looked up in the fields of `to`. Calls note(i, wall) with
@@ -64,16 +72,32 @@ OneWay lookUp(const MapFeatures& from, const MapFeatures& to, double heading, co
   OneWay sum;
   const size_t count = std::min(most_points, from.wall_points.size());
   const double per_point = from.wallLengthPerPoint(count);
-  lookWallsUp(from, to, heading, place, count, weights, [&](size_t i, const WallSums& wall) {
-    const WallPoint& point = from.wall_points[i];
-    sum.facing += wall.agree * point.normal * point.normal.transpose();
-    (point.line_length >= weights.straight_from ? sum.straight : sum.clutter) += wall;
-    note(i, per_point * wall);
-  });
+  lookWallsUp(from, to, heading, place, count, weights,
+              [&](size_t i, const WallSums& wall, std::uint8_t depth) {
+                const WallPoint& point = from.wall_points[i];
+                sum.facing += wall.agree * point.normal * point.normal.transpose();
+                if (point.line_length >= weights.straight_from) {
+                  sum.straight += wall;
+                  sum.shallow_conflict += weights.shallow[depth] * (1 - wall.agree);
+                  sum.deep_conflict += weights.deep[depth] * (1 - wall.agree);
+                } else {
+                  sum.clutter += wall;
+                }
+                note(i, per_point * wall);
+              });
   sum.facing *= per_point;
+  sum.shallow_conflict *= per_point;
+  sum.deep_conflict *= per_point;
   sum.straight = per_point * sum.straight;
   sum.clutter = per_point * sum.clutter;
-  sum.free_free = freeInBoth(from, to, place, most_points);
+  const size_t free_count = std::min(most_points, from.free_points.size());
+  size_t shallow = 0;
+  sum.free_free = freeInBoth(from, to, place, free_count, [&](size_t i, std::uint8_t depth_there) {
+    const double depth =
+        std::min(depth_there, from.fields.depthAt(from.free_points[i])) * WallFields::depth_unit;
+    shallow += depth_there > 0 && depth <= weights.shallow_until ? 1 : 0;
+  });
+  sum.free_shallow = static_cast<double>(shallow) * from.freeAreaPerPoint(free_count);
   return sum;
 }
 
@@ -83,32 +107,45 @@ Evidence sumUp(const OneWay& there, const OneWay& back, double heading) {
   evidence.facing = turn * there.facing * turn.transpose() + back.facing;
   evidence.straight = there.straight + back.straight;
   static_cast<WallSums&>(evidence) = evidence.straight + (there.clutter + back.clutter);
+  evidence.shallow_conflict = there.shallow_conflict + back.shallow_conflict;
+  evidence.deep_conflict = there.deep_conflict + back.deep_conflict;
   evidence.free_free = 0.5 * (there.free_free + back.free_free);
+  evidence.free_shallow = 0.5 * (there.free_shallow + back.free_shallow);
   return evidence;
+}
+
+/// Rises from 0 at `from` to 1 at `full`; 0 of what is not free.
+double weightOfDepth(double depth, double from, double full) {
+  if (depth <= 0) {
+    return 0;
+  }
+  if (depth >= full) {
+    return 1;
+  }
+  return depth <= from ? 0 : (depth - from) / (full - from);
 }
 
 }  // namespace
 
 EvidenceWeights::EvidenceWeights(const EvidenceOptions& options)
-    : straight_from(options.straight_from) {
+    : straight_from(options.straight_from), shallow_until(options.shallow_until) {
   for (size_t i = 0; i < 256; ++i) {
-    const double metres = static_cast<double>(i) * WallFields::unit;
+    const double distance = static_cast<double>(i) * WallFields::unit;
     // At the largest value there is no wall within reach.
-    agree[i] = i < WallFields::far ? std::exp(-0.5 * std::pow(metres / options.kernel, 2)) : 0;
-    conflict[i] = conflictWeight(metres, options);
+    agree[i] = i < WallFields::far ? std::exp(-0.5 * std::pow(distance / options.kernel, 2)) : 0;
+    const double depth = static_cast<double>(i) * WallFields::depth_unit;
+    conflict[i] = conflictWeight(depth, options);
+    shallow[i] = depth <= shallow_until ? conflict[i] : 0;
+    deep[i] = deepWeight(depth, options);
   }
 }
 
 double conflictWeight(double depth, const EvidenceOptions& options) {
-  if (depth <= 0) {
-    return 0;  // Not free.
-  }
-  if (depth >= options.conflict_full) {
-    return 1;
-  }
-  return depth <= options.conflict_from
-             ? 0
-             : (depth - options.conflict_from) / (options.conflict_full - options.conflict_from);
+  return weightOfDepth(depth, options.conflict_from, options.conflict_full);
+}
+
+double deepWeight(double depth, const EvidenceOptions& options) {
+  return weightOfDepth(depth, options.deep_from, options.deep_full);
 }
 
 Overlap measureOverlap(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in_a,

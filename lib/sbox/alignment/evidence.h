@@ -22,9 +22,12 @@ struct EvidenceOptions {
   double kernel = 0.5;         ///< Standard deviation at which walls agree, metres.
   double conflict_from = 0.3;  ///< Depth in free space at which a wall begins to conflict, metres.
   double conflict_full = 1.0;  ///< Depth from which it conflicts fully, metres.
+  double deep_from = 2.5;      ///< Depth at which a wall begins to count as deep, metres.
+  double deep_full = 3.5;      ///< Depth from which it counts fully, metres.
   /// Length of line from which a wall counts as straight, metres. Shorter ones are mostly furniture
   /// and people, which come and go.
   double straight_from = 1.0;
+  double shallow_until = 2.0;  ///< Depth up to which free space counts as shallow, metres.
 };
 
 /// Sums over both maps, each map's walls counted once.
@@ -35,14 +38,24 @@ struct Overlap : WallSums {
 /// All that is counted.
 struct Evidence : Overlap {
   WallSums straight;  ///< Of the straight walls alone; the rest is clutter.
+  /// Of straight walls in conflict, those in shallow free space, where drift may have carried them
+  /// (EvidenceOptions::shallow_until), ...
+  double shallow_conflict = 0;
+  /// ... and those so deep that it has not, see deepWeight().
+  double deep_conflict = 0;
   /// Agreeing wall by the direction it faces: the sum of agree n n^T over unit normals n in map a.
   /// A small eigenvalue means that walls hardly fix the shift along its direction.
   Eigen::Matrix2d facing = Eigen::Matrix2d::Zero();
   RoomCounts rooms;  ///< Counted only once the drift is taken out.
+  /// What of `free_free` is shallow in one of the maps, square metres: the middle of a hall is free
+  /// in every hall.
+  double free_shallow = 0;
 };
 
 /// Weight of a wall this deep (metres) in free space as a conflict, from 0 to 1.
 [[nodiscard]] double conflictWeight(double depth, const EvidenceOptions& options);
+/// The same as a deep one.
+[[nodiscard]] double deepWeight(double depth, const EvidenceOptions& options);
 
 /// The weights of the options by quantised distance or depth (see WallFields), made once for many
 /// hypotheses.
@@ -52,7 +65,10 @@ struct EvidenceWeights {
 
   std::array<double, 256> agree{};     ///< Of a wall this far off, see EvidenceOptions::kernel.
   std::array<double, 256> conflict{};  ///< See conflictWeight().
+  std::array<double, 256> shallow{};   ///< Of a conflict up to EvidenceOptions::shallow_until.
+  std::array<double, 256> deep{};      ///< See deepWeight().
   double straight_from = 0;            ///< See EvidenceOptions::straight_from.
+  double shallow_until = 0;            ///< See EvidenceOptions::shallow_until.
 };
 
 /// As `most_points`: asks all of them.

@@ -179,6 +179,12 @@ void describeVerification(PairOptions& options, OptionTable& table) {
   describeEvidence("verification.bent", ranking.bent_evidence, table);
   table.metres("straight_from", ranking.bent_evidence.straight_from, {0, 20},
                "Length of line from which a wall is straight and not clutter");
+  table.metres("shallow_until", ranking.bent_evidence.shallow_until, {0, 5},
+               "Depth in free space up to which drift may have carried a wall there");
+  table.metres("deep_from", ranking.bent_evidence.deep_from, {0, 5},
+               "Depth at which a wall begins to lie where no drift has carried it");
+  table.metres("deep_full", ranking.bent_evidence.deep_full, {0, 5},
+               "Depth from which it lies there fully");
 
   table.section("verification.drift");
   table.metres("node_spacing", ranking.drift.node_spacing, {0.5, 1000},

@@ -77,6 +77,11 @@ struct MapFeatures {
   [[nodiscard]] double wallLengthPerPoint(size_t count) const {
     return wallLength() / static_cast<double>(std::max<size_t>(count, 1));
   }
+  /// Of all free space for each of the first `count` free points, which then stand for all, square
+  /// metres.
+  [[nodiscard]] double freeAreaPerPoint(size_t count) const {
+    return freeArea() / static_cast<double>(std::max<size_t>(count, 1));
+  }
   /// Of all free space, square metres.
   [[nodiscard]] double freeArea() const {
     return free_point_area * static_cast<double>(free_points.size());

@@ -199,14 +199,14 @@ int gridIndex(double origin, int i, const WallFields& fields, const StateGrid& g
 void fillDepth(const StateGrid& grid, WallFields& fields) {
   // Band by band, which stays in the cache: nothing further off than a margin matters.
   constexpr int band = 128;
-  constexpr double deepest = WallFields::far * WallFields::unit;
+  constexpr double deepest = 255 * WallFields::depth_unit;
   const int margin = ceilToInt(deepest / (0.95 * grid.resolution)) + 1;
   std::vector<int> columns;
   for (int x = 0; x < fields.width; ++x) {
     columns.push_back(gridIndex(fields.origin.x(), x, fields, grid));
   }
   ChamferBand distances(grid, deepest);
-  const double to_units = grid.resolution / (distances.scale() * WallFields::unit);
+  const double to_units = grid.resolution / (distances.scale() * WallFields::depth_unit);
   int measured = 0;  // The first row of the grid that is not.
   for (int y = 0; y < fields.height; ++y) {
     const int row = gridIndex(fields.origin.y(), y, fields, grid);

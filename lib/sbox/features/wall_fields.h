@@ -38,8 +38,9 @@ using ByteAngle = std::uint8_t;
 
 /// How far each place is from walls, by the direction these face, and from what is not free.
 struct WallFields {
-  static constexpr double unit = 0.01;      ///< Of the distances below, metres.
-  static constexpr std::uint8_t far = 255;  ///< No wall within reach.
+  static constexpr double unit = 0.01;         ///< Of `distances`, metres.
+  static constexpr double depth_unit = 0.015;  ///< Of `free_depth`, metres.
+  static constexpr std::uint8_t far = 255;     ///< No wall within reach.
   /// No wall point within reach.
   static constexpr std::uint16_t none = std::numeric_limits<std::uint16_t>::max();
   /// Of more wall points the fields know the first.
@@ -64,6 +65,11 @@ struct WallFields {
       return -1;
     }
     return static_cast<std::ptrdiff_t>(row) * width + static_cast<std::ptrdiff_t>(column);
+  }
+  /// What `free_depth` holds at a point of the grid frame; 0 outside.
+  [[nodiscard]] std::uint8_t depthAt(const Eigen::Vector2d& point) const {
+    const std::ptrdiff_t cell = cellAt(point.x(), point.y());
+    return cell < 0 ? std::uint8_t{0} : free_depth[static_cast<size_t>(cell)];
   }
 };
 

@@ -67,7 +67,7 @@ Pictures draw(const MapFeatures& map, double heading, const Canvas& canvas, cons
     const cv::Point cell = cellOf(point);
     const std::ptrdiff_t k = map.fields.cellAt(point.x(), point.y());
     const double depth =
-        k < 0 ? 0 : map.fields.free_depth[static_cast<size_t>(k)] * WallFields::unit;
+        k < 0 ? 0 : map.fields.free_depth[static_cast<size_t>(k)] * WallFields::depth_unit;
     pictures.free.at<float>(cell) += share;
     pictures.conflict.at<float>(cell) +=
         share * static_cast<float>(conflictWeight(depth, evidence));

@@ -22,8 +22,8 @@ std::array<double, kVerdictTerms> verdictTerms(const Fit& fit) {
   const WallSums clutter = {evidence.known - straight.known, evidence.agree - straight.agree,
                             evidence.conflict - straight.conflict};
   // A few metres of wall do not make a large share, nor a few square metres of area a small one.
-  constexpr double few_metres = 10, few_square_metres = 10;
-  const double area = evidence.free_free + few_square_metres;
+  constexpr double few_metres = 10, few_square_metres = 5;
+  const double area = evidence.free_shallow + few_square_metres;
   // The drift field follows clutter that moved, too, so there it tells little: 9 parts of bare wall
   // in 10 make 0.43 of this, 7 make 0.06. Of the powers tried, the one that fitted best.
   constexpr int power = 8;
@@ -33,8 +33,8 @@ std::array<double, kVerdictTerms> verdictTerms(const Fit& fit) {
           std::log(clutter.agree + 1),
           std::log(crossWall(evidence) + 0.5),
           std::log(fit.boxes + 1.0),
-          std::sqrt(straight.conflict),
-          straight.conflict / area,
+          std::sqrt(evidence.deep_conflict),
+          evidence.shallow_conflict / area,
           clutter.conflict / area,
           fit.bend_ratio * bareness,
           evidence.rooms.misfit / (evidence.rooms.all + few_rooms)};
