@@ -133,7 +133,12 @@ std::vector<VerdictSample> collectSamples(const LoadedFolder& loaded, size_t fol
     std::vector<Fit> fits = findFits(features[a], features[b], options, seconds);
     mergeAnswers(features[a], features[b], fits, options.same);
     for (const Fit& fit : fits) {
-      const Pose2D pose = framePose(features[a], features[b], fit.b_in_a);
+      // What counts is the pose that would be reported.
+      const std::vector<BoxMatch> boxes =
+          matchBoxes(features[a], features[b], fit.b_in_a, fit.drift, options.boxes);
+      const RefinedPose refined =
+          refinePose(features[a], features[b], fit.b_in_a, fit.drift, boxes, options.refine);
+      const Pose2D pose = framePose(features[a], features[b], refined.b_in_a);
       const std::optional<PoseError> error = poseError(
           loaded.folder.pairs[k], loaded.folder.resolution,
           cornerTransform(pose, loaded.maps[a].corner_in_map, loaded.maps[b].corner_in_map));

@@ -86,8 +86,7 @@ void addBoxPoses(const std::vector<BoxMatch>& boxes, const std::vector<CornerPai
 Poses refineAllWays(const MapFeatures& a, const MapFeatures& b, const Fit& fit,
                     const StateGrid& grid_a, const StateGrid& grid_b, const PairOptions& options) {
   Poses poses;
-  const std::vector<BoxMatch> boxes =
-      matchBoxes(a, b, fit.b_in_a, fit.drift, options.ranking.boxes);
+  const std::vector<BoxMatch> boxes = matchBoxes(a, b, fit.b_in_a, fit.drift, options.boxes);
   const std::vector<CornerPair> corners = uniqueCorners(boxes, options.refine.kalman.corner_noise);
   addBoxPoses(boxes, corners, grid_a, grid_b, poses);
   const RefinedPose refined = refinePose(a, b, fit.b_in_a, fit.drift, boxes, options.refine);

@@ -58,8 +58,7 @@ PairResult matchInOrder(const MapFeatures& a, const MapFeatures& b, const PairOp
   }
   mergeAnswers(a, b, fits, options.same);
   Fit& best = fits.front();
-  const std::vector<BoxMatch> boxes =
-      matchBoxes(a, b, best.b_in_a, best.drift, options.ranking.boxes);
+  const std::vector<BoxMatch> boxes = matchBoxes(a, b, best.b_in_a, best.drift, options.boxes);
   for (const BoxMatch& match : boxes) {
     result.matched_boxes.emplace_back(match.a, match.b);
   }

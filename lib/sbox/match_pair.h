@@ -31,6 +31,7 @@ struct PairOptions {
   RankingOptions ranking;  ///< Which transforms fit the cells.
   SameAnswerOptions same;  ///< Which fits are one answer.
   VerdictOptions verdict;  ///< When to accept.
+  BoxMatchOptions boxes;   ///< Boxes that count as agreeing.
   RefineOptions refine;    ///< Kalman, Ceres and the pose that is reported.
 };
 

@@ -34,7 +34,6 @@ std::vector<Fit> randomFits(unsigned seed, int count) {
       evidence->facing =
           Eigen::Vector2d(share * evidence->agree, (1 - share) * evidence->agree).asDiagonal();
     }
-    fit.boxes = i;
     fit.bend_ratio = between(0, 4);
     fit.bent_evidence.rooms.all = between(0, 20);
     fit.bent_evidence.rooms.misfit = between(0, 1) * fit.bent_evidence.rooms.all;

@@ -173,7 +173,7 @@ void describeVerification(PairOptions& options, OptionTable& table) {
                "Share of the common walls that agree in such a rival");
   table.number("rival_conflict", options.verdict.rival_conflict, {0, 1},
                "Share of the common walls that may conflict in such a rival");
-  table.metres("box_corner_distance", ranking.boxes.corner_distance, {0, 10},
+  table.metres("box_corner_distance", options.boxes.corner_distance, {0, 10},
                "Between the corners of boxes that agree");
   describeEvidence("verification.rigid", ranking.evidence, table);
   describeEvidence("verification.bent", ranking.bent_evidence, table);

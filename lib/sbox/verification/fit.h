@@ -15,7 +15,6 @@ struct Fit {
   DriftField drift;        ///< How the maps are bent against each other under it.
   Evidence bent_evidence;  ///< With the drift taken out, on a narrow scale.
   double bend_ratio = 0;   ///< How bent the maps are against each other over how bent each is.
-  int boxes = 0;           ///< Boxes of map b that lie on one of map a.
   double log_odds = 0;     ///< See verdict_model.h: that this fit is right, up to a constant.
   double probability = 0;  ///< That this fit is right, and not another or none.
 };

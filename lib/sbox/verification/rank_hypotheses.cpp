@@ -132,9 +132,8 @@ Fit fitOf(const MapFeatures& a, const MapFeatures& b, const RigidTransform& b_in
 }
 
 /// Fills in what the log odds are made of beside the evidence, and these.
-void weighFit(const MapFeatures& a, const MapFeatures& b, const RankingOptions& options, Fit& fit) {
+void weighFit(const MapFeatures& a, const MapFeatures& b, Fit& fit) {
   fit.bend_ratio = bendRatio(a, b, fit.drift);
-  fit.boxes = static_cast<int>(matchBoxes(a, b, fit.b_in_a, fit.drift, options.boxes).size());
   fit.log_odds = logOdds(verdictTerms(fit));
 }
 
@@ -164,7 +163,7 @@ void addFits(const MapFeatures& a, const MapFeatures& b, std::vector<Ranked> ran
     if (same != fits.end() && how == Alignment::Free) {
       continue;
     }
-    weighFit(a, b, options, fit);
+    weighFit(a, b, fit);
     if (same == fits.end()) {
       fits.push_back(std::move(fit));
     } else if (fit.log_odds > same->log_odds) {

@@ -12,7 +12,6 @@
 #include "sbox/alignment/wall_alignment.h"
 #include "sbox/features/map_features.h"
 #include "sbox/matching/hypothesis.h"
-#include "sbox/matching/matched_boxes.h"
 #include "sbox/verification/fit.h"
 
 namespace sbox {
@@ -37,7 +36,6 @@ struct RankingOptions {
   AlignmentOptions first_alignment = {1.25, 6, 500};   ///< Of the best ones, coarsely ...
   AlignmentOptions alignment;                          ///< ... and of those that are kept.
   DriftOptions drift;                                  ///< Of maps that are bent.
-  BoxMatchOptions boxes;                               ///< Boxes that count as agreeing.
 };
 
 /// The best distinct fits, with their log odds, in no order that means anything. If thorough, a

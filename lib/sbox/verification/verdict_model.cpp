@@ -32,7 +32,6 @@ std::array<double, kVerdictTerms> verdictTerms(const Fit& fit) {
   return {straight.agree / (straight.known + few_metres),
           std::log(clutter.agree + 1),
           std::log(crossWall(evidence) + 0.5),
-          std::log(fit.boxes + 1.0),
           std::sqrt(evidence.deep_conflict),
           evidence.shallow_conflict / area,
           clutter.conflict / area,
