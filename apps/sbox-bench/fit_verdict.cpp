@@ -125,23 +125,29 @@ std::vector<VerdictSample> collectSamples(const LoadedFolder& loaded, size_t fol
   std::vector<VerdictSample> samples(loaded.folder.pairs.size());
   parallelFor(static_cast<int>(samples.size()), threads, [&](int i) {
     const auto k = static_cast<size_t>(i);
-    const auto a = static_cast<size_t>(loaded.map_of_pair[k].first);
-    const auto b = static_cast<size_t>(loaded.map_of_pair[k].second);
     samples[k].folder = folder;
     samples[k].folder_weight = folder_weight;
+    // As in matchPair().
+    auto a = static_cast<size_t>(loaded.map_of_pair[k].first);
+    auto b = static_cast<size_t>(loaded.map_of_pair[k].second);
+    const bool is_exchanged = comesFirst(features[b], features[a]);
+    if (is_exchanged) {
+      std::swap(a, b);
+    }
     PairSeconds seconds;
     std::vector<Fit> fits = findFits(features[a], features[b], options, seconds);
     mergeAnswers(features[a], features[b], fits, options.same);
     for (const Fit& fit : fits) {
-      // What counts is the pose that would be reported.
       const std::vector<BoxMatch> boxes =
           matchBoxes(features[a], features[b], fit.b_in_a, fit.drift, options.boxes);
       const RefinedPose refined =
           refinePose(features[a], features[b], fit.b_in_a, fit.drift, boxes, options.refine);
       const Pose2D pose = framePose(features[a], features[b], refined.b_in_a);
-      const std::optional<PoseError> error = poseError(
-          loaded.folder.pairs[k], loaded.folder.resolution,
-          cornerTransform(pose, loaded.maps[a].corner_in_map, loaded.maps[b].corner_in_map));
+      const Pose2D corners =
+          cornerTransform(pose, loaded.maps[a].corner_in_map, loaded.maps[b].corner_in_map);
+      const std::optional<PoseError> error =
+          poseError(loaded.folder.pairs[k], loaded.folder.resolution,
+                    is_exchanged ? inverse(corners) : corners);
       samples[k].terms.push_back(verdictTerms(fit));
       samples[k].right.push_back(error && error->right);
     }

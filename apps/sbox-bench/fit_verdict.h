@@ -13,7 +13,8 @@
 
 namespace sbox::bench {
 
-/// One pair of maps: its fits, and which of them are right (none for maps without common place).
+/// One pair of maps: its answers, and which of them are right as they would be reported (none for
+/// maps without common place).
 struct VerdictSample {
   size_t folder = 0;
   double folder_weight = 1;  ///< Of the folder, which all its pairs share.
@@ -21,7 +22,8 @@ struct VerdictSample {
   std::vector<bool> right;
 };
 
-/// The fits of every pair of a folder, with the default options. `folder`: its number.
+/// The answers of every pair of a folder, with the default options. Which fit stands for an answer
+/// depends on the default model's weights: fit again until these stay. `folder`: its number.
 [[nodiscard]] std::vector<VerdictSample> collectSamples(const LoadedFolder& loaded, size_t folder,
                                                         double folder_weight, int threads);
 
@@ -29,7 +31,7 @@ struct VerdictSample {
 /// keeps weights (of terms scaled to unit variance) small.
 [[nodiscard]] VerdictModel fitModel(const std::vector<VerdictSample>& samples, double ridge = 2e-4);
 
-/// Probability of each fit of a sample.
+/// Probability of each answer of a sample.
 [[nodiscard]] std::vector<double> probabilities(const VerdictSample& sample,
                                                 const VerdictModel& model);
 

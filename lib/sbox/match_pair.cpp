@@ -57,6 +57,7 @@ PairResult matchInOrder(const MapFeatures& a, const MapFeatures& b, const PairOp
     return result;
   }
   mergeAnswers(a, b, fits, options.same);
+  judge(fits);
   Fit& best = fits.front();
   const std::vector<BoxMatch> boxes = matchBoxes(a, b, best.b_in_a, best.drift, options.boxes);
   for (const BoxMatch& match : boxes) {

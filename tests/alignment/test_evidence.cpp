@@ -160,6 +160,15 @@ void checkSums(const WallSums& found, const CountedWalls& there, const CountedWa
   checkBounds(found.conflict, 0.2, there.conflict, back.conflict);
 }
 
+/// What is deep in maps as small as these.
+EvidenceOptions shallowRooms() {
+  EvidenceOptions options;
+  options.shallow_until = 0.7;
+  options.deep_from = 0.8;
+  options.deep_full = 1.2;
+  return options;
+}
+
 void checkAlike(const Evidence& left, const Evidence& right, double tolerance) {
   const auto near = [&](double value) { return Approx(value).epsilon(0).margin(tolerance); };
   CHECK(left.known == near(right.known));
@@ -178,10 +187,7 @@ void checkAlike(const Evidence& left, const Evidence& right, double tolerance) {
 
 TEST_CASE("evidence is what each wall and each free point says by itself", "[alignment]") {
   std::mt19937 random(5);
-  EvidenceOptions options;
-  options.shallow_until = 0.7;
-  options.deep_from = 0.8;
-  options.deep_full = 1.2;
+  const EvidenceOptions options = shallowRooms();
   double agreed = 0, conflicted = 0, shallow = 0, deep = 0, free_shallow = 0, free_deep = 0;
   for (unsigned seed = 1; seed <= 6; ++seed) {
     const ScatteredMap a = test::scatteredMap(seed), b = test::scatteredMap(seed + 100, 50);
@@ -260,8 +266,11 @@ TEST_CASE("evidence is the same seen from the other map", "[alignment]") {
     const MapFeatures a = test::scatteredMap(seed).features;
     const MapFeatures b = test::scatteredMap(seed + 9, 60).features;
     const RigidTransform b_in_a = randomTransform(random);
-    const Evidence there = gatherEvidence(a, b, b_in_a);
-    const Evidence back = gatherEvidence(b, a, b_in_a.inverse());
+    const EvidenceOptions options = shallowRooms();
+    const Evidence there = gatherEvidence(a, b, b_in_a, kAllPoints, options);
+    const Evidence back = gatherEvidence(b, a, b_in_a.inverse(), kAllPoints, options);
+    CHECK(there.deep_conflict > 0);
+    CHECK(there.free_shallow < there.free_free);
     checkAlike(there, back, 1e-9);
     const Eigen::Matrix2d turn = Eigen::Rotation2Dd(b_in_a.heading).toRotationMatrix();
     CHECK((there.facing - turn * back.facing * turn.transpose()).norm() < 1e-9);
@@ -277,6 +286,7 @@ TEST_CASE("the first points stand for all", "[alignment]") {
   CHECK(some.agree == Approx(all.agree).epsilon(0.1));
   CHECK(some.known == Approx(all.known).epsilon(0.1));
   CHECK(some.free_free == Approx(all.free_free).epsilon(0.1));
+  CHECK(some.free_shallow == Approx(all.free_shallow).epsilon(0.1));
   checkAlike(gatherEvidence(office, office, off, 1000000), all, 0);
   // No points asked: nothing is known, and nothing divided by none.
   const Evidence none = gatherEvidence(office, office, off, 0);
@@ -288,12 +298,16 @@ TEST_CASE("drift that shifts everything is a shift", "[alignment]") {
   std::mt19937 random(8);
   const MapFeatures a = test::scatteredMap(3).features, b = test::scatteredMap(4).features;
   const RigidTransform b_in_a = randomTransform(random);
-  checkAlike(gatherEvidence(a, b, b_in_a, DriftField()), gatherEvidence(a, b, b_in_a), 1e-9);
+  const EvidenceOptions options = shallowRooms();
+  const Evidence rigid = gatherEvidence(a, b, b_in_a, kAllPoints, options);
+  CHECK(rigid.deep_conflict > 0);
+  checkAlike(gatherEvidence(a, b, b_in_a, DriftField(), kAllPoints, options), rigid, 1e-9);
   DriftField drift;
   drift.displacements = {Vector2d(0.7, -0.4)};
   RigidTransform shifted = b_in_a;
   shifted.translation += Vector2d(0.7, -0.4);
-  checkAlike(gatherEvidence(a, b, b_in_a, drift), gatherEvidence(a, b, shifted), 1e-9);
+  checkAlike(gatherEvidence(a, b, b_in_a, drift, kAllPoints, options),
+             gatherEvidence(a, b, shifted, kAllPoints, options), 1e-9);
 }
 
 TEST_CASE("a map agrees with itself and conflicts nowhere", "[alignment]") {

@@ -86,6 +86,8 @@ TEST_CASE("a refusal says what is missing", "[verification]") {
 
   std::vector<Fit> fits = fitsOf({0.2});
   CHECK(says(decide(fits), "too little in common"));
+  fits[0].bent_evidence.deep_conflict = 7;
+  CHECK(says(decide(fits), "7 m of wall stand far out in what the other map saw as free"));
   fits[0].bent_evidence.conflict = 30;
   CHECK(says(decide(fits), "saw free space"));
   fits[0].bent_evidence.facing(1, 1) = 0.5;

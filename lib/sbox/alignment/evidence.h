@@ -22,12 +22,14 @@ struct EvidenceOptions {
   double kernel = 0.5;         ///< Standard deviation at which walls agree, metres.
   double conflict_from = 0.3;  ///< Depth in free space at which a wall begins to conflict, metres.
   double conflict_full = 1.0;  ///< Depth from which it conflicts fully, metres.
-  double deep_from = 2.5;      ///< Depth at which a wall begins to count as deep, metres.
-  double deep_full = 3.5;      ///< Depth from which it counts fully, metres.
   /// Length of line from which a wall counts as straight, metres. Shorter ones are mostly furniture
   /// and people, which come and go.
   double straight_from = 1.0;
-  double shallow_until = 2.0;  ///< Depth up to which free space counts as shallow, metres.
+  /// Depth up to which a wall in conflict, and free space, are shallow, metres. Drift may have
+  /// carried a wall so far ...
+  double shallow_until = 2.0;
+  double deep_from = 2.5;  ///< ... and hardly so deep, metres; what lies between tells little.
+  double deep_full = 3.5;  ///< Depth from which a wall counts fully as deep, metres.
 };
 
 /// Sums over both maps, each map's walls counted once.

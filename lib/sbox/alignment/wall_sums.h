@@ -8,7 +8,7 @@ namespace sbox {
 struct WallSums {
   double known = 0;     ///< Wall that agrees, or lies where the other map is free.
   double agree = 0;     ///< Wall on wall that faces the same way, weighed by the kernel.
-  double conflict = 0;  ///< Wall deep in the other's free space.
+  double conflict = 0;  ///< Wall in the other's free space, weighed by how deep.
 
   /// Adds to each.
   WallSums& operator+=(const WallSums& other) {

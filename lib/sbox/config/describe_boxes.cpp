@@ -161,7 +161,7 @@ void describeVerification(PairOptions& options, OptionTable& table) {
   table.metres("same_answer", options.same.distance, {0, 50},
                "Fits this near once the drift is taken out are one answer ...");
   table.number("same_answer_drift", options.same.drift_share, {0, 100},
-               "... as are fits nearer than this times the drift's roughness");
+               "... as are fits nearer than this times the roughness of the rougher drift");
   table.number("same_turn", ranking.same_turn, {0, 90}, "Nearer answers are one, degrees");
   describeAlignment("first_alignment", ranking.first_alignment, "first, coarse alignment", table);
   describeAlignment("alignment", ranking.alignment, "alignment", table);
@@ -184,7 +184,7 @@ void describeVerification(PairOptions& options, OptionTable& table) {
   table.metres("deep_from", ranking.bent_evidence.deep_from, {0, 5},
                "Depth at which a wall begins to lie where no drift has carried it");
   table.metres("deep_full", ranking.bent_evidence.deep_full, {0, 5},
-               "Depth from which it lies there fully");
+               "Depth from which it lies there fully (depths are told apart up to 3.8)");
 
   table.section("verification.drift");
   table.metres("node_spacing", ranking.drift.node_spacing, {0.5, 1000},

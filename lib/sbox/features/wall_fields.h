@@ -55,7 +55,8 @@ struct WallFields {
   std::array<std::vector<std::uint8_t>, kSectors> distances;
   /// The index of that wall point, or `none`.
   std::array<std::vector<std::uint16_t>, kSectors> nearest;
-  /// Distance to the nearest cell that is not free; 0 where the cell itself is not.
+  /// Distance to the nearest cell that is not free; 0 where the cell itself is not. The greatest
+  /// value stands for all that is deeper.
   std::vector<std::uint8_t> free_depth;
 
   /// Index of the cell that holds a point of the grid frame, or -1 outside.
@@ -66,7 +67,7 @@ struct WallFields {
     }
     return static_cast<std::ptrdiff_t>(row) * width + static_cast<std::ptrdiff_t>(column);
   }
-  /// What `free_depth` holds at a point of the grid frame; 0 outside.
+  /// What `free_depth` holds at a point of the grid frame, in `depth_unit`; 0 outside.
   [[nodiscard]] std::uint8_t depthAt(const Eigen::Vector2d& point) const {
     const std::ptrdiff_t cell = cellAt(point.x(), point.y());
     return cell < 0 ? std::uint8_t{0} : free_depth[static_cast<size_t>(cell)];

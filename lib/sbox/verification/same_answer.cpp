@@ -6,8 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "sbox/core/sort_descending.h"
-
 namespace sbox {
 
 double distanceWhenBent(const MapFeatures& a, const MapFeatures& b, const Fit& left,
@@ -32,18 +30,15 @@ void mergeAnswers(const MapFeatures& a, const MapFeatures& b, std::vector<Fit>& 
                   const SameAnswerOptions& options) {
   std::vector<Fit> answers;
   for (Fit& fit : fits) {
-    const auto same = std::find_if(answers.begin(), answers.end(), [&](const Fit& answer) {
-      const double limit =
-          std::max(options.distance, options.drift_share * answer.drift.roughness());
+    const bool is_new = std::none_of(answers.begin(), answers.end(), [&](const Fit& answer) {
+      const double roughness = std::max(answer.drift.roughness(), fit.drift.roughness());
+      const double limit = std::max(options.distance, options.drift_share * roughness);
       return distanceWhenBent(a, b, answer, fit) < limit;
     });
-    if (same == answers.end()) {
+    if (is_new) {
       answers.push_back(std::move(fit));
-    } else {
-      same->probability += fit.probability;
     }
   }
-  sortDescending(answers, [](const Fit& answer) { return answer.probability; });
   fits = std::move(answers);
 }
 

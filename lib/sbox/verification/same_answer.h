@@ -13,8 +13,9 @@ namespace sbox {
 
 /// When fits are one answer.
 struct SameAnswerOptions {
-  double distance = 0.6;     ///< Nearer fits are one whatever the drift, metres.
-  double drift_share = 8.0;  ///< So are fits nearer than this times the drift field's roughness.
+  double distance = 0.6;  ///< Nearer fits are one whatever the drift, metres.
+  /// So are fits nearer than this times the roughness of the rougher drift field of both.
+  double drift_share = 8.0;
 };
 
 /// Root mean square distance between the places that two fits, their drift taken out, give the
@@ -22,8 +23,8 @@ struct SameAnswerOptions {
 [[nodiscard]] double distanceWhenBent(const MapFeatures& a, const MapFeatures& b, const Fit& left,
                                       const Fit& right);
 
-/// Drops each fit that is the same answer as one before it and adds its probability to that one.
-/// `fits`: judged, the most probable first; so they stay.
+/// Drops each fit that is the same answer as one before it. `fits`: the most probable first. What
+/// is left has to be judged again: the verdict's model is one of answers.
 void mergeAnswers(const MapFeatures& a, const MapFeatures& b, std::vector<Fit>& fits,
                   const SameAnswerOptions& options = {});
 

@@ -15,6 +15,7 @@ namespace {
 constexpr double kFewAgree = 0.6;       ///< Less of the common wall than this agrees.
 constexpr double kLeastCrossWall = 4;   ///< Fewer metres of agreeing wall run across the others.
 constexpr double kMuchConflict = 0.12;  ///< More of the common wall than this conflicts.
+constexpr double kMuchDeep = 5;  ///< More metres of wall lie where no drift has carried them.
 /// Of the wall that agrees under the best fit, what a rival must have at least.
 constexpr double kRivalSize = 0.5;
 
@@ -37,6 +38,10 @@ std::string whyNot(const Fit& best) {
   }
   if (bent.conflict > kMuchConflict * bent.known) {
     return "too much wall stands where the other map saw free space: " + found;
+  }
+  if (bent.deep_conflict > kMuchDeep) {
+    return fixedDigits(bent.deep_conflict, 0) +
+           " m of wall stand far out in what the other map saw as free: " + found;
   }
   return "too little in common to be sure: " + found;
 }

@@ -19,11 +19,11 @@ constexpr size_t kVerdictTerms = 8;
 /// What the log odds of a fit are made of, in the order of VerdictModel::weights: share of the
 /// straight walls in common that agree; log of the clutter that agrees (metres); log of the
 /// agreeing wall (metres) across the others; root of the straight wall deep in the other's free
-/// space (metres); straight wall and clutter in conflict by the free area they share beside walls,
-/// of straight wall only what is not deep; how bent the maps are against each other over how bent
-/// each is (Fit::bend_ratio), as far as walls are bare; share of the rooms in common whose walls do
-/// not fit: conflict that lies together, as of a wing that drift has carried off, counts less than
-/// as much strewn all over. All with the drift taken out.
+/// space (metres); straight wall in conflict where that is shallow, and clutter in conflict, by the
+/// shallow free area in common; how bent the maps are against each other over how bent each is
+/// (Fit::bend_ratio), as far as walls are bare; share of the rooms in common whose walls do not
+/// fit: conflict that lies together, as of a wing that drift has carried off, counts less than as
+/// much strewn all over. All with the drift taken out.
 [[nodiscard]] std::array<double, kVerdictTerms> verdictTerms(const Fit& fit);
 
 /// Agreeing wall that fixes the shift in the direction that is fixed least, metres.
@@ -32,9 +32,9 @@ constexpr size_t kVerdictTerms = 8;
 /// Weights found by maximum likelihood: `sbox-bench FOLDERS --fit-verdict` prints them.
 struct VerdictModel {
   /// Of the terms, in their order.
-  std::array<double, kVerdictTerms> weights = {10.994,  2.7077,  2.147,   -2.0213,
-                                               -40.026, -16.592, -6.5511, 4.5244};
-  double none = 13.13;  ///< Log odds of "none of the fits is right".
+  std::array<double, kVerdictTerms> weights = {11.217,  2.8762,  1.9432, -2.5644,
+                                               -39.784, -16.464, -6.425, 4.1432};
+  double none = 13.048;  ///< Log odds of "none of the fits is right".
 };
 
 /// Log odds that the fit of these terms is right, up to a constant.
