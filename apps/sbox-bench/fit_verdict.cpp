@@ -5,12 +5,12 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sbox-bench/judge.h"
 #include "sbox/core/logit.h"
 #include "sbox/core/parallel.h"
 #include "sbox/match_pair.h"
-#include "sbox/verification/same_answer.h"
 
 namespace sbox::bench {
 namespace {
@@ -135,9 +135,7 @@ std::vector<VerdictSample> collectSamples(const LoadedFolder& loaded, size_t fol
       std::swap(a, b);
     }
     PairSeconds seconds;
-    std::vector<Fit> fits = findFits(features[a], features[b], options, seconds);
-    mergeAnswers(features[a], features[b], fits, options.same);
-    for (const Fit& fit : fits) {
+    for (const Fit& fit : findAnswers(features[a], features[b], options, seconds)) {
       const std::vector<BoxMatch> boxes =
           matchBoxes(features[a], features[b], fit.b_in_a, fit.drift, options.boxes);
       const RefinedPose refined =

@@ -119,7 +119,7 @@ Excesses excessesOf(const LoadedFolder& loaded, size_t pair,
   const auto b = static_cast<size_t>(loaded.map_of_pair[pair].second);
   Excesses excesses;
   PairSeconds seconds;
-  const std::vector<Fit> fits = findFits(features[a], features[b], options, seconds);
+  const std::vector<Fit> fits = findAnswers(features[a], features[b], options, seconds);
   if (fits.empty() || loaded.folder.pairs[pair].negative) {
     return excesses;
   }

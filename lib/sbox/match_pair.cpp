@@ -42,6 +42,56 @@ std::string describeDifference(double metres) {
   return "; the Kalman step and Ceres differ by " + fixedDigits(metres, 1) + " m";
 }
 
+/// All fits that were worth judging, the most probable first: those near the guess, if there is
+/// one, then of all hypotheses that features propose, then of those that a full search finds; the
+/// search ends where it leaves no doubt.
+std::vector<Fit> findFits(const MapFeatures& a, const MapFeatures& b, const PairOptions& options,
+                          PairSeconds& seconds, const std::optional<GuessedPoses>& guess,
+                          int threads) {
+  std::vector<Fit> fits;
+  // Fits of the hypotheses and of what was found before; whether they leave no doubt.
+  const auto isSure = [&](std::vector<Hypothesis> hypotheses, bool is_thorough = false) {
+    const Stopwatch stopwatch;
+    for (const Fit& fit : fits) {
+      hypotheses.push_back({fit.b_in_a, 0});
+    }
+    fits = rankHypotheses(a, b, hypotheses, options.ranking, is_thorough, threads);
+    judge(fits);
+    seconds.verification += stopwatch.seconds();
+    return !fits.empty() && fits.front().probability >= options.sure;
+  };
+  // Section 3.2, rough match and eq. 4: corners and boxes vote.
+  Stopwatch stopwatch;
+  const std::vector<Hypothesis> votes = voteForTransforms(a, b, options.votes);
+  seconds.matching += stopwatch.seconds();
+  if (guess) {
+    stopwatch = Stopwatch();
+    std::vector<Hypothesis> near =
+        transformsNear(a, b, *guess, options.correlation.headings, options.guess);
+    const std::vector<Hypothesis> allowed = allowedBy(*guess, a, b, votes, options.guess);
+    near.insert(near.end(), allowed.begin(), allowed.end());
+    seconds.matching += stopwatch.seconds();
+    if (isSure(std::move(near))) {
+      return fits;
+    }
+  }
+  if (isSure(votes)) {
+    return fits;
+  }
+  // What no corner or box proposes.
+  stopwatch = Stopwatch();
+  std::vector<Hypothesis> searched =
+      searchByCorrelation(a, b, options.correlation, options.ranking.evidence, threads);
+  // The headings and cells that are tried depend on which map is turned.
+  for (const Hypothesis& hypothesis :
+       searchByCorrelation(b, a, options.correlation, options.ranking.evidence, threads)) {
+    searched.push_back({hypothesis.b_in_a.inverse(), hypothesis.votes});
+  }
+  seconds.matching += stopwatch.seconds();
+  isSure(std::move(searched), true);
+  return fits;
+}
+
 PairResult matchInOrder(const MapFeatures& a, const MapFeatures& b, const PairOptions& options,
                         const std::optional<GuessedPoses>& guess, int threads) {
   PairResult result;
@@ -51,13 +101,11 @@ PairResult matchInOrder(const MapFeatures& a, const MapFeatures& b, const PairOp
                         : "one of the maps has no wall with free space beside it";
     return result;
   }
-  std::vector<Fit> fits = findFits(a, b, options, result.seconds, guess, threads);
+  std::vector<Fit> fits = findAnswers(a, b, options, result.seconds, guess, threads);
   if (fits.empty()) {
     result.reason = decide(fits, options.verdict).reason;
     return result;
   }
-  mergeAnswers(a, b, fits, options.same);
-  judge(fits);
   Fit& best = fits.front();
   const std::vector<BoxMatch> boxes = matchBoxes(a, b, best.b_in_a, best.drift, options.boxes);
   for (const BoxMatch& match : boxes) {
@@ -123,50 +171,12 @@ Pose2D framePose(const MapFeatures& a, const MapFeatures& b, const RigidTransfor
   return pose;
 }
 
-std::vector<Fit> findFits(const MapFeatures& a, const MapFeatures& b, const PairOptions& options,
-                          PairSeconds& seconds, const std::optional<GuessedPoses>& guess,
-                          int threads) {
-  std::vector<Fit> fits;
-  // Fits of the hypotheses and of what was found before; whether they leave no doubt.
-  const auto isSure = [&](std::vector<Hypothesis> hypotheses, bool is_thorough = false) {
-    const Stopwatch stopwatch;
-    for (const Fit& fit : fits) {
-      hypotheses.push_back({fit.b_in_a, 0});
-    }
-    fits = rankHypotheses(a, b, hypotheses, options.ranking, is_thorough, threads);
-    judge(fits);
-    seconds.verification += stopwatch.seconds();
-    return !fits.empty() && fits.front().probability >= options.sure;
-  };
-  // Section 3.2, rough match and eq. 4: corners and boxes vote.
-  Stopwatch stopwatch;
-  const std::vector<Hypothesis> votes = voteForTransforms(a, b, options.votes);
-  seconds.matching += stopwatch.seconds();
-  if (guess) {
-    stopwatch = Stopwatch();
-    std::vector<Hypothesis> near =
-        transformsNear(a, b, *guess, options.correlation.headings, options.guess);
-    const std::vector<Hypothesis> allowed = allowedBy(*guess, a, b, votes, options.guess);
-    near.insert(near.end(), allowed.begin(), allowed.end());
-    seconds.matching += stopwatch.seconds();
-    if (isSure(std::move(near))) {
-      return fits;
-    }
-  }
-  if (isSure(votes)) {
-    return fits;
-  }
-  // What no corner or box proposes.
-  stopwatch = Stopwatch();
-  std::vector<Hypothesis> searched =
-      searchByCorrelation(a, b, options.correlation, options.ranking.evidence, threads);
-  // The headings and cells that are tried depend on which map is turned.
-  for (const Hypothesis& hypothesis :
-       searchByCorrelation(b, a, options.correlation, options.ranking.evidence, threads)) {
-    searched.push_back({hypothesis.b_in_a.inverse(), hypothesis.votes});
-  }
-  seconds.matching += stopwatch.seconds();
-  isSure(std::move(searched), true);
+std::vector<Fit> findAnswers(const MapFeatures& a, const MapFeatures& b, const PairOptions& options,
+                             PairSeconds& seconds, const std::optional<GuessedPoses>& guess,
+                             int threads) {
+  std::vector<Fit> fits = findFits(a, b, options, seconds, guess, threads);
+  mergeAnswers(a, b, fits, options.same);
+  judge(fits);
   return fits;
 }
 

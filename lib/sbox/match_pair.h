@@ -35,13 +35,13 @@ struct PairOptions {
   RefineOptions refine;    ///< Kalman, Ceres and the pose that is reported.
 };
 
-/// All fits of two maps that were worth judging, the most probable first: those near the guess, if
-/// there is one, then of all hypotheses that features propose, then of those that a full search
-/// finds; the search ends where it leaves no doubt.
-[[nodiscard]] std::vector<Fit> findFits(const MapFeatures& a, const MapFeatures& b,
-                                        const PairOptions& options, PairSeconds& seconds,
-                                        const std::optional<GuessedPoses>& guess = {},
-                                        int threads = 1);
+/// Where one map may lie in the other, a fit for each answer, judged, the most probable first: near
+/// the guess, if there is one, then by what features propose, then by a full search, which is left
+/// out where there is no doubt.
+[[nodiscard]] std::vector<Fit> findAnswers(const MapFeatures& a, const MapFeatures& b,
+                                           const PairOptions& options, PairSeconds& seconds,
+                                           const std::optional<GuessedPoses>& guess = {},
+                                           int threads = 1);
 
 /// The pose of the map frame of b in that of a, for a transform between the grid frames.
 [[nodiscard]] Pose2D framePose(const MapFeatures& a, const MapFeatures& b,

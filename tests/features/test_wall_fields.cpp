@@ -198,6 +198,8 @@ TEST_CASE("fields reach beyond the grid, and there are none of nothing", "[featu
   REQUIRE(outside >= 0);
   CHECK(fields.nearest[0][static_cast<size_t>(outside)] == 0);
   CHECK(fields.free_depth[static_cast<size_t>(outside)] == 0);
+  CHECK(fields.depthAt({4, 3}) > 0);
+  CHECK(fields.depthAt({-50, 3}) == 0);
   const WallFields none = makeFields(StateGrid(), {});
   CHECK(none.cellAt(0, 0) == -1);
   CHECK(none.distances[0].empty());
@@ -209,7 +211,7 @@ TEST_CASE("depths are told apart as far in fine cells as in others", "[features]
     const int size = static_cast<int>(std::lround(9 / resolution));
     const WallFields fields = makeFields(test::freeGrid(size, size, resolution), {});
     const auto depthAt = [&](double x) {
-      return fields.free_depth[static_cast<size_t>(fields.cellAt(x, 4.5))] * WallFields::depth_unit;
+      return fields.depthAt({x, 4.5}) * WallFields::depth_unit;
     };
     INFO(resolution << " m");
     CHECK(depthAt(4.5) == Approx(3.825));

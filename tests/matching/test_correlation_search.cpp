@@ -62,9 +62,8 @@ struct CellSums {
     }
     for (const Vector2d& p : map.free_points) {
       free[cellOf(p)] += 1;
-      const auto k = static_cast<size_t>(map.fields.cellAt(p.x(), p.y()));
       conflict[cellOf(p)] +=
-          conflictWeight(map.fields.free_depth[k] * WallFields::depth_unit, evidence);
+          conflictWeight(map.fields.depthAt(p) * WallFields::depth_unit, evidence);
     }
   }
 };

@@ -65,9 +65,7 @@ Pictures draw(const MapFeatures& map, double heading, const Canvas& canvas, cons
       static_cast<float>(map.free_point_area / (canvas.resolution * canvas.resolution));
   for (const Eigen::Vector2d& point : map.free_points) {
     const cv::Point cell = cellOf(point);
-    const std::ptrdiff_t k = map.fields.cellAt(point.x(), point.y());
-    const double depth =
-        k < 0 ? 0 : map.fields.free_depth[static_cast<size_t>(k)] * WallFields::depth_unit;
+    const double depth = map.fields.depthAt(point) * WallFields::depth_unit;
     pictures.free.at<float>(cell) += share;
     pictures.conflict.at<float>(cell) +=
         share * static_cast<float>(conflictWeight(depth, evidence));
